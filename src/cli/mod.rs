@@ -1,0 +1,1 @@
+//! The command line: the only room that prints, reads clocks, or chooses an exit code.

@@ -1,0 +1,1 @@
+//! Diagnostics on a terminal, by miette. The only file that knows miette.

@@ -1,0 +1,1 @@
+//! text → Scene: parse, import, resolve, evaluate, check, lower. Knows words, not light.

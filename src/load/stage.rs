@@ -1,0 +1,52 @@
+//! The Stage: a scene with every file it names read into plain data.
+
+use std::sync::Arc;
+
+use crate::diag::Span;
+use crate::math::Mesh;
+use crate::scene::{Material, Named, Scene};
+
+/// A scene, and what its files hold. Nothing is placed or scaled yet.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// What the author said.
+    pub scene: Arc<Scene>,
+    /// One for each of `scene.objects`, in their order; None for objects that need no file.
+    pub meshes: Vec<Option<StagedMesh>>,
+    /// The files read, each once, in the order of first use.
+    pub files: Vec<StagedFile>,
+    /// What the picture depends on beside settings and seed.
+    pub hash: SceneHash,
+}
+
+/// A mesh with the materials of its slots.
+#[derive(Clone, Debug)]
+pub struct StagedMesh {
+    /// The triangles, in file units; no duplicated and no degenerate ones.
+    pub mesh: Arc<Mesh>,
+    /// One for each of `mesh.material_names`: what the .mtl says or the scene says in its place.
+    pub materials: Vec<Named<Material>>,
+}
+
+/// A file that was read.
+#[derive(Clone, Debug)]
+pub struct StagedFile {
+    /// As the author named it.
+    pub name: String,
+    /// Where the author named it; for a .mtl, where the object stands that led to it.
+    pub span: Span,
+    /// Its length in bytes.
+    pub bytes: u64,
+    /// Triangles kept, for a mesh.
+    pub triangles: Option<u64>,
+}
+
+/// SHA-256 of the evaluated scene without places in texts, and of the bytes of its files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SceneHash(pub [u8; 32]);
+
+impl std::fmt::Display for SceneHash {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}

@@ -1,0 +1,3 @@
+//! The `scn` binary: a thin door to the command line.
+
+fn main() {}

@@ -1,0 +1,20 @@
+//! Numbers that every room shares: colours, units, meshes, transforms, random numbers.
+//!
+//! Names nothing else of ours. f64 wherever a scene is described, f32 where it is rendered.
+
+mod mesh;
+mod picture;
+mod progress;
+pub mod random;
+mod rgb;
+mod spectrum;
+mod transform;
+pub mod units;
+pub mod warp;
+
+pub use mesh::Mesh;
+pub use picture::Picture;
+pub use progress::{NoProgress, Progress};
+pub use rgb::Rgb;
+pub use spectrum::Spectrum;
+pub use transform::Transform;

@@ -1,0 +1,14 @@
+//! How long work tells that it moves on. Handed down from whoever shows it.
+
+/// Told how far a piece of work is. Called from any thread, often: must be cheap.
+pub trait Progress: Sync {
+    /// `done` of `total` units are done; the unit is the caller's affair.
+    fn advance(&self, done: u64, total: u64);
+}
+
+/// Shows nothing.
+pub struct NoProgress;
+
+impl Progress for NoProgress {
+    fn advance(&self, _done: u64, _total: u64) {}
+}

@@ -1,0 +1,100 @@
+//! Linear colour with the primaries of sRGB (ITU-R BT.709, white D65).
+
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub};
+
+use serde::Serialize;
+
+/// Three linear components; what they measure is said where they stand.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Rgb {
+    /// Red.
+    pub r: f32,
+    /// Green.
+    pub g: f32,
+    /// Blue.
+    pub b: f32,
+}
+
+impl Rgb {
+    /// Nothing.
+    pub const BLACK: Self = Self::new(0.0, 0.0, 0.0);
+    /// One in every component.
+    pub const ONE: Self = Self::new(1.0, 1.0, 1.0);
+
+    /// From its components.
+    pub const fn new(r: f32, g: f32, b: f32) -> Self {
+        Self { r, g, b }
+    }
+
+    /// The same in every component.
+    pub const fn grey(value: f32) -> Self {
+        Self::new(value, value, value)
+    }
+
+    /// Whether every component is zero.
+    pub fn is_black(self) -> bool {
+        self == Self::BLACK
+    }
+
+    /// Whether no component is infinite or not a number.
+    pub fn is_finite(self) -> bool {
+        self.r.is_finite() && self.g.is_finite() && self.b.is_finite()
+    }
+
+    /// Relative luminance: Y of ITU-R BT.709.
+    pub fn luminance(self) -> f32 {
+        0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
+    }
+
+    /// Red, green, blue.
+    pub fn to_array(self) -> [f32; 3] {
+        [self.r, self.g, self.b]
+    }
+}
+
+impl Add for Rgb {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        Self::new(self.r + o.r, self.g + o.g, self.b + o.b)
+    }
+}
+
+impl AddAssign for Rgb {
+    fn add_assign(&mut self, o: Self) {
+        *self = *self + o;
+    }
+}
+
+impl Sub for Rgb {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        Self::new(self.r - o.r, self.g - o.g, self.b - o.b)
+    }
+}
+
+impl Mul for Rgb {
+    type Output = Self;
+    fn mul(self, o: Self) -> Self {
+        Self::new(self.r * o.r, self.g * o.g, self.b * o.b)
+    }
+}
+
+impl Mul<f32> for Rgb {
+    type Output = Self;
+    fn mul(self, k: f32) -> Self {
+        Self::new(self.r * k, self.g * k, self.b * k)
+    }
+}
+
+impl MulAssign for Rgb {
+    fn mul_assign(&mut self, o: Self) {
+        *self = *self * o;
+    }
+}
+
+impl Div<f32> for Rgb {
+    type Output = Self;
+    fn div(self, k: f32) -> Self {
+        Self::new(self.r / k, self.g / k, self.b / k)
+    }
+}

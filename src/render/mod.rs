@@ -1,0 +1,3 @@
+//! World → samples. Knows light, not words. Cannot fail, cannot read, cannot print.
+
+pub mod geometry;

@@ -1,0 +1,1 @@
+//! A render as a sequence of passes: World and a stop rule → picture.

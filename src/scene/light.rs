@@ -1,0 +1,23 @@
+//! Lights: what shines without being the surface of an object.
+
+use super::schema::Range;
+use super::vocabulary::vocabulary;
+use super::{Direction, Irradiance, Radiance};
+
+vocabulary! {
+    /// Light that comes from no surface. Lamps with a surface are objects with an emission.
+    pub enum Light: "light" {
+        /// The same radiance from everywhere around the scene.
+        "constant" => Constant {
+            /// What is seen of it.
+            radiance: Radiance, Range::at_least(0.0);
+        }
+        /// Parallel light from infinitely far away.
+        "directional" => Directional {
+            /// Where the light goes.
+            direction: Direction;
+            /// On a surface square to it.
+            irradiance: Irradiance, Range::at_least(0.0);
+        }
+    }
+}

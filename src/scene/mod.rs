@@ -1,0 +1,34 @@
+//! The contract between language and light: what an author said, as plain data.
+//!
+//! SI units, radians, linear colour, f64. Every word of the language is declared once, here, by
+//! [`vocabulary!`](schema): the struct, what the checker knows, `scn list` and the reference all
+//! come from that one entry. Nothing here knows syntax, disk or rendering.
+
+mod at;
+mod camera;
+mod film;
+mod integrator;
+mod light;
+mod material;
+mod object;
+mod sampler;
+pub mod schema;
+mod stop;
+mod values;
+mod vocabulary;
+mod whole;
+
+pub use at::At;
+pub use camera::{Camera, Overview, Perspective};
+pub use film::{BoxFilter, Film, Filter, Gaussian, Mitchell, Tent};
+pub use integrator::{AreaLights, Direct, Integrator, Preview};
+pub use light::{Constant, Directional, Light};
+pub use material::{Diffuse, Material};
+pub use object::{Ambient, Disk, Mesh, Object, Plane, Quad, Sphere, Triangle};
+pub use sampler::{Independent, Sampler, Stratified};
+pub use stop::Stop;
+pub use values::{
+    Angle, Count, Direction, Exposure, FileName, Irradiance, Length, Number, Place, Point,
+    Radiance, Ref, Reflectance, Size, Step, Switch, Text,
+};
+pub use whole::{Items, KINDS, KindOf, Named, Scene};

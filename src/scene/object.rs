@@ -1,0 +1,100 @@
+//! Objects: what there is to be seen.
+
+use super::schema::Range;
+use super::vocabulary::vocabulary;
+use super::{At, Direction, FileName, Length, Material, Place, Point, Ref};
+
+vocabulary! {
+    /// A surface, or many.
+    pub enum Object: "object" {
+        /// A flat round disk; its front is where the normal points.
+        "disk" => Disk {
+            /// Its centre.
+            center: Point;
+            /// Square to it, on its front side.
+            normal: Direction;
+            /// Its radius.
+            radius: Length, Range::above(0.0);
+            /// What its surface does with light.
+            material: Ref<Material>;
+            /// Where it is moved to, step by step; scales must be even.
+            place: Place = "[]";
+        }
+        /// Triangles from a Wavefront file. Faces are counter-clockwise seen from their front.
+        "mesh" => Mesh {
+            /// The .obj file.
+            file: FileName;
+            /// The length of one unit of the file.
+            unit: Length, Range::above(0.0);
+            /// A .mtl file to take materials from, in place of those the .obj file names.
+            mtl: Option<FileName>;
+            /// Replaces all materials of the file.
+            material: Option<Ref<Material>>;
+            /// Replaces materials of the file by the name they have there.
+            materials: Vec<(At<String>, At<Ref<Material>>)> = "{}";
+            /// What a Ka in the .mtl file means; must be said where one is not zero.
+            ambient: Option<Ambient>;
+            /// Where it is moved to, step by step.
+            place: Place = "[]";
+        }
+        /// A plane without end; its front is where the normal points.
+        "plane" => Plane {
+            /// A point of it.
+            point: Point;
+            /// Square to it, on its front side.
+            normal: Direction;
+            /// What its surface does with light.
+            material: Ref<Material>;
+            /// Where it is moved to, step by step.
+            place: Place = "[]";
+        }
+        /// A parallelogram: `corner`, `corner + u`, `corner + u + v`, `corner + v`; its front is
+        /// where u × v points.
+        "quad" => Quad {
+            /// The first corner.
+            corner: Point;
+            /// The edge from the first corner to the second.
+            u: Point;
+            /// The edge from the first corner to the fourth.
+            v: Point;
+            /// What its surface does with light.
+            material: Ref<Material>;
+            /// Where it is moved to, step by step.
+            place: Place = "[]";
+        }
+        /// A true sphere; its front is outside.
+        "sphere" => Sphere {
+            /// Its centre.
+            center: Point;
+            /// Its radius.
+            radius: Length, Range::above(0.0);
+            /// What its surface does with light.
+            material: Ref<Material>;
+            /// Where it is moved to, step by step; scales must be even.
+            place: Place = "[]";
+        }
+        /// A single triangle; its front sees a, b, c counter-clockwise.
+        "triangle" => Triangle {
+            /// The first corner.
+            a: Point;
+            /// The second corner.
+            b: Point;
+            /// The third corner.
+            c: Point;
+            /// What its surface does with light.
+            material: Ref<Material>;
+            /// Where it is moved to, step by step.
+            place: Place = "[]";
+        }
+    }
+}
+
+vocabulary! {
+    /// What a Ka in a .mtl file means. Programs write it for anything.
+    pub words Ambient: "meaning of Ka" {
+        /// The radiance the surface emits, in W/m²/sr.
+        "emission" => Emission
+        /// Nothing.
+        "ignored" => Ignored
+    }
+}
