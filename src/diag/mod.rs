@@ -1,15 +1,21 @@
 //! What is wrong with what a person wrote: a place in their text, a sentence, a cause, a mend.
 //!
 //! Every room that finds faults builds [`Diagnostic`]s with one function per fault in its own
-//! `errors/<family>.rs`; only [`print`] knows how they look on a terminal.
+//! `errors/<family>.rs`; only [`print`] knows how they look on a terminal, and [`json`]
+//! how a machine reads them.
 
 mod code;
 mod diagnostic;
+mod excerpt;
+pub mod json;
+mod lines;
+mod order;
 pub mod print;
 mod sources;
 mod span;
 
 pub use code::{CODES, Code, find};
 pub use diagnostic::{Diagnostic, Edit, Label, Level, Mend};
+pub use order::{count, in_order, tally};
 pub use sources::{Source, Sources};
 pub use span::{FileId, Span};

@@ -1,1 +1,222 @@
 //! Diagnostics on a terminal, by miette. The only file that knows miette.
+//!
+//! miette draws the user's lines and the labels under them. It panics on labels far along a line
+//! and obeys control characters, so it is given an [`Excerpt`] in place of the text.
+
+use std::fmt;
+
+use miette::{
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents,
+    SourceCode, SourceSpan, SpanContents, ThemeCharacters, ThemeStyles,
+};
+
+use super::excerpt::{Excerpt, visible};
+use super::lines::Lines;
+use super::{Diagnostic, Level, Sources, order};
+
+/// More faults than this are counted, not shown.
+const MAX_SHOWN: usize = 50;
+/// Columns that line numbers and margins need beside the user's text.
+const MARGIN: usize = 10;
+/// A label has at least so many columns for its words, however far right it stands.
+const LABEL_WIDTH: usize = 36;
+
+/// How reports look on the stream they go to.
+#[derive(Clone, Copy, Debug)]
+pub struct Look {
+    /// Whether to colour.
+    pub colour: bool,
+    /// Whether lines may be drawn with characters beyond ASCII.
+    pub unicode: bool,
+    /// Columns.
+    pub width: usize,
+}
+
+impl Look {
+    /// For a file or a pipe.
+    pub const PLAIN: Self = Self { colour: false, unicode: true, width: 100 };
+}
+
+/// The report of all `diagnostics`, in the order given, with a closing line that counts them;
+/// empty if there are none. `subject` is what was looked at, such as the scene file's name.
+pub fn report(diagnostics: &[Diagnostic], sources: &Sources, subject: &str, look: Look) -> String {
+    if diagnostics.is_empty() {
+        return String::new();
+    }
+    let mut lines = Lines::new(sources);
+    let mut text = String::new();
+    for diagnostic in diagnostics.iter().take(MAX_SHOWN) {
+        text.push_str(&one(diagnostic, &mut lines, look));
+        text.push('\n');
+    }
+    if diagnostics.len() > MAX_SHOWN {
+        text.push_str(&format!("… and {} more\n", diagnostics.len() - MAX_SHOWN));
+    }
+    let (errors, warnings) = order::count(diagnostics);
+    let tally = order::tally(errors, warnings);
+    let level = if errors > 0 { Level::Error } else { Level::Warning };
+    text.push_str(&format!("{} in {}\n", bold(&tally, level, look), visible(subject)));
+    text
+}
+
+fn one(diagnostic: &Diagnostic, lines: &mut Lines<'_>, look: Look) -> String {
+    let width = look.width.max(LABEL_WIDTH + MARGIN);
+    let mut excerpt = Excerpt::new(diagnostic, lines, width - MARGIN);
+    for label in &mut excerpt.labels {
+        let room = (width - MARGIN).saturating_sub(label.position.column).max(LABEL_WIDTH);
+        label.text = wrapped(&label.text, room).join("\n");
+    }
+    let report =
+        Report { level: diagnostic.level, headline: visible(&diagnostic.headline), excerpt };
+    let handler = GraphicalReportHandler::new_themed(theme(diagnostic, look))
+        .with_width(width)
+        .with_context_lines(1)
+        .with_links(false)
+        .without_syntax_highlighting()
+        .without_cause_chain();
+    let mut text = String::new();
+    if handler.render_report(&mut text, &report).is_err() {
+        // Nothing drawn is lost but the drawing: the words remain.
+        text = format!("{}\n", report.headline);
+    }
+    let mut text = text.trim_start().to_string();
+    let notes = [("why", &diagnostic.why), ("help", &diagnostic.help)];
+    for (word, note) in notes.iter().filter_map(|(word, note)| Some((word, note.as_ref()?))) {
+        let rest = width.saturating_sub(MARGIN);
+        for (i, line) in wrapped(&visible(note), rest).iter().enumerate() {
+            let margin = if i == 0 { format!("{word}:") } else { String::new() };
+            let margin = format!("  {margin:<6}");
+            let margin = if look.colour && i == 0 { cyan(&margin) } else { margin };
+            text.push_str(format!("{margin}{line}").trim_end());
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// miette's theme; the mark before the headline is `error[code]:`.
+fn theme(diagnostic: &Diagnostic, look: Look) -> GraphicalTheme {
+    let mut characters =
+        if look.unicode { ThemeCharacters::unicode() } else { ThemeCharacters::ascii() };
+    characters.error = format!("error[{}]:", diagnostic.code);
+    characters.warning = format!("warning[{}]:", diagnostic.code);
+    let styles = if look.colour { ThemeStyles::ansi() } else { ThemeStyles::none() };
+    GraphicalTheme { characters, styles }
+}
+
+fn cyan(text: &str) -> String {
+    format!("\x1b[36m{text}\x1b[0m")
+}
+
+fn bold(text: &str, level: Level, look: Look) -> String {
+    let colour = match level {
+        Level::Error => 31,
+        Level::Warning => 33,
+    };
+    if look.colour { format!("\x1b[1;{colour}m{text}\x1b[0m") } else { text.to_string() }
+}
+
+/// Lines of at most `width` characters, broken between words. Lines that are indented, such as
+/// examples, stay as they are.
+fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut all = Vec::new();
+    for line in text.lines() {
+        if line.starts_with(' ') {
+            all.push(line.to_string());
+            continue;
+        }
+        let mut current = String::new();
+        let mut length = 0;
+        for word in line.split_whitespace() {
+            let more = word.chars().count();
+            if length > 0 && length + 1 + more > width {
+                all.push(std::mem::take(&mut current));
+                length = 0;
+            }
+            if length > 0 {
+                current.push(' ');
+                length += 1;
+            }
+            current.push_str(word);
+            length += more;
+        }
+        all.push(current);
+    }
+    all
+}
+
+/// A diagnostic as miette wants it.
+#[derive(Debug)]
+struct Report {
+    level: Level,
+    headline: String,
+    excerpt: Excerpt,
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.headline)
+    }
+}
+
+impl std::error::Error for Report {}
+
+impl miette::Diagnostic for Report {
+    fn severity(&self) -> Option<miette::Severity> {
+        Some(match self.level {
+            Level::Error => miette::Severity::Error,
+            Level::Warning => miette::Severity::Warning,
+        })
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        (!self.excerpt.labels.is_empty()).then_some(&self.excerpt as &dyn SourceCode)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        Some(Box::new(self.excerpt.labels.iter().enumerate().map(|(i, label)| {
+            let span = SourceSpan::from(label.start..label.end);
+            let text = Some(label.text.clone()).filter(|text| !text.is_empty());
+            if i == 0 {
+                LabeledSpan::new_primary_with_span(text, span)
+            } else {
+                LabeledSpan::new_with_span(text, span)
+            }
+        })))
+    }
+}
+
+impl SourceCode for Excerpt {
+    /// With context, the whole segment: it was cut to what is to be seen. A span over two
+    /// segments is refused, which keeps miette from drawing them as one.
+    fn read_span<'a>(
+        &'a self,
+        span: &SourceSpan,
+        before: usize,
+        _after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let end = span.offset() + span.len();
+        let segment = self
+            .segments
+            .iter()
+            .find(|segment| segment.start <= span.offset() && end <= segment.end)
+            .ok_or(MietteError::OutOfBounds)?;
+        let whole = || (segment.start, segment.end, segment.first_line - 1, 0, segment.lines);
+        let label = self.labels.iter().find(|label| label.start == span.offset());
+        let (start, end, line, column, lines) = match label {
+            // Asked for the place the heading names.
+            Some(label) if before == 0 => {
+                (label.start, end, label.position.line - 1, label.position.column - 1, 1)
+            }
+            _ => whole(),
+        };
+        Ok(Box::new(MietteSpanContents::new_named(
+            segment.name.clone(),
+            &self.text.as_bytes()[start..end],
+            SourceSpan::from(start..end),
+            line,
+            column,
+            lines,
+        )))
+    }
+}
