@@ -1,1 +1,143 @@
-//! What a ray can meet.
+//! What a ray can meet: triangles, spheres, disks and infinite planes, and where it meets them.
+//!
+//! The promise: a closed mesh loses no ray, a ray that leaves a surface never meets it again by
+//! rounding, and an answer depends on the shapes alone, never on the order of the tree over them.
+//! There is no epsilon in scene units anywhere: every tolerance follows from float arithmetic
+//! (rounding.rs has the derivation).
+
+mod disk;
+mod plane;
+mod ray;
+mod rounding;
+mod sample;
+mod shapes;
+mod sphere;
+mod triangle;
+
+use glam::Vec3;
+
+pub use ray::{Hit, Point, Ray, between};
+pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
+
+use ray::Probe;
+use shapes::Kind;
+
+/// An axis-aligned box, in world units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The corner of least coordinates; all +∞ if the box is empty.
+    pub min: Vec3,
+    /// The corner of greatest coordinates; all −∞ if the box is empty.
+    pub max: Vec3,
+}
+
+impl Bounds {
+    /// The box of nothing.
+    pub const EMPTY: Self =
+        Self { min: Vec3::splat(f32::INFINITY), max: Vec3::splat(f32::NEG_INFINITY) };
+
+    /// Whether nothing is inside.
+    pub fn is_empty(&self) -> bool {
+        !self.min.cmple(self.max).all()
+    }
+
+    /// The smallest box around both.
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+}
+
+/// The shapes of a scene, ready to be met by rays.
+pub struct Geometry {
+    shapes: Shapes,
+}
+
+impl Geometry {
+    /// Never fails: a shape without area is never met, and does no harm.
+    pub fn build(shapes: Shapes) -> Self {
+        Self { shapes }
+    }
+
+    /// The first surface the ray meets at t in (0, `t_max`). At equal t the least primitive.
+    pub fn closest(&self, ray: &Ray) -> Option<Hit> {
+        let probe = Probe::new(ray);
+        let mut best: Option<(f32, Primitive)> = None;
+        for primitive in self.shapes.primitives() {
+            if let Some(t) = self.meet(&probe, primitive)
+                && t < ray.t_max
+                && best.is_none_or(|b| (t, primitive) < b)
+            {
+                best = Some((t, primitive));
+            }
+        }
+        best.map(|(t, primitive)| self.hit(&probe, t, primitive))
+    }
+
+    /// Whether the ray meets any surface at t in (0, `t_max`).
+    pub fn occluded(&self, ray: &Ray) -> bool {
+        let probe = Probe::new(ray);
+        self.shapes
+            .primitives()
+            .any(|primitive| self.meet(&probe, primitive).is_some_and(|t| t < ray.t_max))
+    }
+
+    /// The box around everything bounded; infinite planes don't count.
+    pub fn bounds(&self) -> Bounds {
+        self.shapes.bounds()
+    }
+
+    /// Memory held, in bytes.
+    pub fn bytes(&self) -> usize {
+        self.shapes.bytes()
+    }
+
+    /// The shapes it was built from.
+    pub fn shapes(&self) -> &Shapes {
+        &self.shapes
+    }
+
+    /// The parameter t > 0 at which the ray meets the primitive.
+    fn meet(&self, probe: &Probe, primitive: Primitive) -> Option<f32> {
+        let index = primitive.index();
+        match primitive.kind() {
+            Kind::Triangle => triangle::meet(probe, self.shapes.corners(index)),
+            Kind::Sphere => sphere::meet(probe, &self.shapes.spheres[index]),
+            Kind::Disk => disk::meet(probe, &self.shapes.disks[index]),
+            Kind::Plane => plane::meet(probe, &self.shapes.planes[index]),
+        }
+    }
+
+    /// Everything about the meeting at `t`, which `meet` found.
+    fn hit(&self, probe: &Probe, t: f32, primitive: Primitive) -> Hit {
+        let index = primitive.index();
+        let (surface, owner) = match primitive.kind() {
+            Kind::Triangle => {
+                (triangle::surface(probe, &self.shapes, index), self.shapes.triangle_owners[index])
+            }
+            Kind::Sphere => {
+                let sphere = &self.shapes.spheres[index];
+                (sphere::surface(probe, sphere), sphere.owner)
+            }
+            Kind::Disk => {
+                let disk = &self.shapes.disks[index];
+                (disk::surface(probe, disk), disk.owner)
+            }
+            Kind::Plane => {
+                let plane = &self.shapes.planes[index];
+                (plane::surface(probe, plane), plane.owner)
+            }
+        };
+        let ray::Surface { point, ns, uv } = surface;
+        Hit {
+            t,
+            position: point.position,
+            error: point.error,
+            ng: point.ng,
+            ns,
+            uv,
+            primitive,
+            object: owner.object,
+            material: owner.material,
+        }
+    }
+}

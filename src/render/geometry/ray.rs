@@ -1,0 +1,137 @@
+//! Rays, the points where they begin and end, and what is known where they meet a surface.
+
+use glam::{DVec3, Vec2, Vec3};
+
+use super::rounding::{gamma_32, up};
+use super::shapes::Primitive;
+
+/// A ray. It meets surfaces at t in the open interval (0, `t_max`).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// World units. It need not be off the surface it leaves by more than [`Point::leave`] does.
+    pub origin: Vec3,
+    /// Unit length, to within rounding.
+    pub direction: Vec3,
+    /// World units; may be +∞.
+    pub t_max: f32,
+}
+
+impl Ray {
+    /// A ray without end.
+    pub fn new(origin: Vec3, direction: Vec3) -> Self {
+        Self { origin, direction, t_max: f32::INFINITY }
+    }
+}
+
+/// A point of a surface, and how far it may be off it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point {
+    /// World units.
+    pub position: Vec3,
+    /// Bound of the distance to the surface, per coordinate, world units, not negative.
+    pub error: Vec3,
+    /// Geometric normal, unit length, on the front side; zero for a point on no surface.
+    pub ng: Vec3,
+}
+
+impl Point {
+    /// A point on no surface: a camera, or a lamp without extent.
+    pub fn free(position: Vec3) -> Self {
+        Self { position, error: Vec3::ZERO, ng: Vec3::ZERO }
+    }
+
+    /// The origin of a ray that leaves along `direction` (any length): the point itself, moved
+    /// along ±`ng` to where it is certainly on the side the ray goes to [PBRT4, ch. 6.8.6].
+    pub fn leave(&self, direction: Vec3) -> Vec3 {
+        let distance = self.ng.abs().dot(self.error);
+        let offset = if direction.dot(self.ng) < 0.0 { -distance } else { distance } * self.ng;
+        let outwards = |p: f32, by: f32| match by {
+            by if by > 0.0 => (p + by).next_up(),
+            by if by < 0.0 => (p + by).next_down(),
+            _ => p,
+        };
+        Vec3::new(
+            outwards(self.position.x, offset.x),
+            outwards(self.position.y, offset.y),
+            outwards(self.position.z, offset.z),
+        )
+    }
+}
+
+/// Where a ray meets a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Distance along the ray.
+    pub t: f32,
+    /// A point of the surface to within `error`, better than origin + t·direction.
+    pub position: Vec3,
+    /// Bound of the distance to the surface, per coordinate, world units.
+    pub error: Vec3,
+    /// Geometric normal, unit length, on the front side, whichever side the ray came from.
+    pub ng: Vec3,
+    /// Shading normal, unit length, on the same side as `ng`.
+    pub ns: Vec3,
+    /// Triangle: weights of its second and third corner. Sphere: longitude over 2π and colatitude
+    /// over π, about +z. Disk and plane: zero.
+    pub uv: Vec2,
+    /// What was met.
+    pub primitive: Primitive,
+    /// Number of the object it belongs to.
+    pub object: u32,
+    /// Number of its material.
+    pub material: u32,
+}
+
+impl Hit {
+    /// The point of the surface alone.
+    pub fn point(&self) -> Point {
+        Point { position: self.position, error: self.error, ng: self.ng }
+    }
+
+    /// The origin of a ray that leaves along `direction`; see [`Point::leave`].
+    pub fn leave(&self, direction: Vec3) -> Vec3 {
+        self.point().leave(direction)
+    }
+
+    /// The ray that leaves along `direction` (unit), without end.
+    pub fn ray(&self, direction: Vec3) -> Ray {
+        Ray::new(self.leave(direction), direction)
+    }
+}
+
+/// A shadow ray between two points, both ends kept off their surfaces by their error bounds.
+///
+/// The far end is kept off further by what rounding the direction and the length can move it:
+/// γ₃₂(4) of the way, per coordinate. Two points at the same place give a ray of no length.
+pub fn between(from: &Point, to: &Point) -> Ray {
+    let origin = from.leave(to.position - from.position);
+    let start = origin.as_dvec3();
+    let way = to.position.as_dvec3() - start;
+    let error = up(to.error.as_dvec3() + way.abs() * gamma_32(4));
+    let end = Point { error, ..*to }.leave(-way.as_vec3());
+    let span = end.as_dvec3() - start;
+    let length = span.length();
+    let Some(direction) = span.try_normalize() else {
+        return Ray { origin, direction: Vec3::Z, t_max: 0.0 };
+    };
+    Ray { origin, direction: direction.as_vec3(), t_max: (length as f32).next_down().max(0.0) }
+}
+
+/// A ray as the shapes want it: in f64, where f32 coordinates and their differences are exact.
+pub(super) struct Probe {
+    pub origin: DVec3,
+    pub direction: DVec3,
+}
+
+impl Probe {
+    pub fn new(ray: &Ray) -> Self {
+        Self { origin: ray.origin.as_dvec3(), direction: ray.direction.as_dvec3() }
+    }
+}
+
+/// What a shape knows of the place where it was met.
+pub(super) struct Surface {
+    pub point: Point,
+    pub ns: Vec3,
+    pub uv: Vec2,
+}

@@ -1,0 +1,56 @@
+//! How far float arithmetic can err, after Higham's γ.
+//!
+//! A sum or product of floats is the exact one times (1 + δ), |δ| ≤ u, where u is half the gap
+//! between 1 and the next float; n of them in a row are within γ(n) = n·u / (1 − n·u)
+//! [Higham02, lemma 3.1].
+//!
+//! Hit positions are computed in f64 from f32 data and rounded once. So each coordinate of a hit
+//! is off its surface by at most
+//!
+//! * half an f32 ulp of itself, u₃₂·|p|, from that one rounding, and
+//! * γ₆₄(n)·(the magnitudes that were added up to make it), from the arithmetic before.
+//!
+//! The same bound covers the next ray's own arithmetic: whether an origin o is above a surface is
+//! decided in f64 by the sign of n·(v − o), which errs by γ₆₄(4)·Σ|nᵢ|·|vᵢ − oᵢ|, no more than
+//! γ₆₄(4)·Σ|nᵢ|·(|vᵢ| + |pᵢ| + the offset). With n counted for both, an origin displaced along n
+//! by Σ|nᵢ|·errorᵢ and then rounded outwards is certainly, and is certainly seen to be, on its side.
+
+use glam::{DVec3, Vec3};
+
+/// Unit roundoff of f32: 2⁻²⁴.
+const UNIT_32: f64 = f32::EPSILON as f64 / 2.0;
+/// Unit roundoff of f64: 2⁻⁵³.
+const UNIT_64: f64 = f64::EPSILON / 2.0;
+
+/// Operations in f64, with room to spare, between stored f32 data and a position, and again from
+/// a position to the sign of its side: sums of three products of differences and a division.
+const STEPS: f64 = 32.0;
+
+/// Bound of the relative error of `n` operations of f32.
+pub(super) const fn gamma_32(n: u32) -> f64 {
+    let nu = n as f64 * UNIT_32;
+    nu / (1.0 - nu)
+}
+
+/// A position rounded to f32 and the bound of its error per coordinate. `magnitude`: the sum of
+/// the magnitudes it was made of, per coordinate.
+pub(super) fn position(exact: DVec3, magnitude: DVec3) -> (Vec3, Vec3) {
+    let error = exact.abs() * UNIT_32 + magnitude * (STEPS * UNIT_64);
+    (exact.as_vec3(), up(error))
+}
+
+/// The next f32 not less than each coordinate, which are not negative. Never zero, so that it
+/// covers gradual underflow too.
+pub(super) fn up(x: DVec3) -> Vec3 {
+    x.as_vec3().map(f32::next_up)
+}
+
+/// The next f32 not greater than each coordinate.
+pub(super) fn floor(x: DVec3) -> Vec3 {
+    x.as_vec3().map(f32::next_down)
+}
+
+/// The next f32 not less than each coordinate.
+pub(super) fn ceil(x: DVec3) -> Vec3 {
+    x.as_vec3().map(f32::next_up)
+}

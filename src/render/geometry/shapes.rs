@@ -1,0 +1,240 @@
+//! The shapes themselves, in plain arrays: what prepare pushes and the tree is built over.
+
+use glam::{DVec3, Vec3};
+
+use super::Bounds;
+use super::{disk, sphere, triangle};
+
+/// Whose a shape is: numbers that prepare gave out and hits carry back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Owner {
+    /// Number of the object in the scene.
+    pub object: u32,
+    /// Number of the material in the world.
+    pub material: u32,
+}
+
+/// A triangle over pushed vertices. Its front is where its corners go counter-clockwise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Triangle {
+    /// Indices of the corners.
+    pub corners: [u32; 3],
+    /// Indices of the shading normals at the corners, if there are any.
+    pub normals: Option<[u32; 3]>,
+    /// Whose it is.
+    pub owner: Owner,
+}
+
+/// A sphere. Its front is outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// World units.
+    pub centre: Vec3,
+    /// World units, positive.
+    pub radius: f32,
+    /// Whose it is.
+    pub owner: Owner,
+}
+
+/// A flat round disk. Its front is where its normal points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disk {
+    /// World units.
+    pub centre: Vec3,
+    /// About unit length; defines the plane exactly as it is, rounding and all.
+    pub normal: Vec3,
+    /// World units, positive.
+    pub radius: f32,
+    /// Whose it is.
+    pub owner: Owner,
+}
+
+/// A plane without end. Its front is where its normal points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Any point of it, world units; best one near the scene.
+    pub point: Vec3,
+    /// About unit length; defines the plane exactly as it is, rounding and all.
+    pub normal: Vec3,
+    /// Whose it is.
+    pub owner: Owner,
+}
+
+/// Names one primitive of a scene: its kind, and its number among those of its kind.
+/// Ordered: triangles, spheres, disks, planes; each in the order they were pushed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Primitive(u32);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Triangle,
+    Sphere,
+    Disk,
+    Plane,
+}
+
+/// The two highest bits of a [`Primitive`] are its kind.
+const KIND_SHIFT: u32 = 30;
+
+impl Primitive {
+    fn new(kind: Kind, index: usize) -> Self {
+        assert!(index < Shapes::MOST, "prepare counts its shapes");
+        Self((kind as u32) << KIND_SHIFT | index as u32)
+    }
+
+    pub(super) fn kind(self) -> Kind {
+        match self.0 >> KIND_SHIFT {
+            0 => Kind::Triangle,
+            1 => Kind::Sphere,
+            2 => Kind::Disk,
+            _ => Kind::Plane,
+        }
+    }
+
+    pub(super) fn index(self) -> usize {
+        (self.0 & ((1 << KIND_SHIFT) - 1)) as usize
+    }
+}
+
+/// Stands for the normals of a triangle that has none.
+const NO_NORMALS: [u32; 3] = [u32::MAX; 3];
+
+/// Collects the shapes of a scene. Coordinates must be finite; indices must have been given out.
+#[derive(Clone, Debug, Default)]
+pub struct Shapes {
+    vertices: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+    triangle_normals: Vec<[u32; 3]>,
+    pub(super) triangle_owners: Vec<Owner>,
+    pub(super) spheres: Vec<Sphere>,
+    pub(super) disks: Vec<Disk>,
+    pub(super) planes: Vec<Plane>,
+}
+
+impl Shapes {
+    /// The most shapes of one kind, and the most vertices or normals.
+    pub const MOST: usize = 1 << KIND_SHIFT;
+
+    /// Nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a vertex position, world units, and gives its index.
+    pub fn vertex(&mut self, position: Vec3) -> u32 {
+        assert!(self.vertices.len() < Self::MOST, "prepare counts its vertices");
+        self.vertices.push(position);
+        self.vertices.len() as u32 - 1
+    }
+
+    /// Adds a shading normal, about unit length (zero means none), and gives its index.
+    pub fn normal(&mut self, normal: Vec3) -> u32 {
+        assert!(self.normals.len() < Self::MOST, "prepare counts its normals");
+        self.normals.push(normal);
+        self.normals.len() as u32 - 1
+    }
+
+    /// Adds a triangle over vertices and normals added before.
+    pub fn triangle(&mut self, triangle: Triangle) -> Primitive {
+        let within = |indices: [u32; 3], length| indices.iter().all(|i| (*i as usize) < length);
+        assert!(within(triangle.corners, self.vertices.len()), "a vertex is pushed before its use");
+        let normals = triangle.normals;
+        assert!(
+            normals.is_none_or(|n| within(n, self.normals.len())),
+            "a normal is pushed before its use"
+        );
+        self.triangles.push(triangle.corners);
+        self.triangle_normals.push(normals.unwrap_or(NO_NORMALS));
+        self.triangle_owners.push(triangle.owner);
+        Primitive::new(Kind::Triangle, self.triangles.len() - 1)
+    }
+
+    /// Adds a flat four-sided face as two triangles that share the edge from its first corner to
+    /// its third. Corners go counter-clockwise seen from the front.
+    pub fn quad(&mut self, corners: [u32; 4], owner: Owner) -> [Primitive; 2] {
+        let [a, b, c, d] = corners;
+        [[a, b, c], [a, c, d]]
+            .map(|corners| self.triangle(Triangle { corners, normals: None, owner }))
+    }
+
+    /// Adds a sphere.
+    pub fn sphere(&mut self, sphere: Sphere) -> Primitive {
+        self.spheres.push(sphere);
+        Primitive::new(Kind::Sphere, self.spheres.len() - 1)
+    }
+
+    /// Adds a disk.
+    pub fn disk(&mut self, disk: Disk) -> Primitive {
+        self.disks.push(disk);
+        Primitive::new(Kind::Disk, self.disks.len() - 1)
+    }
+
+    /// Adds an infinite plane.
+    pub fn plane(&mut self, plane: Plane) -> Primitive {
+        self.planes.push(plane);
+        Primitive::new(Kind::Plane, self.planes.len() - 1)
+    }
+
+    /// Corner positions of a triangle.
+    pub(super) fn corners(&self, triangle: usize) -> [Vec3; 3] {
+        self.triangles[triangle].map(|i| self.vertices[i as usize])
+    }
+
+    /// Shading normals at a triangle's corners.
+    pub(super) fn corner_normals(&self, triangle: usize) -> Option<[DVec3; 3]> {
+        let indices = self.triangle_normals[triangle];
+        (indices != NO_NORMALS).then(|| indices.map(|i| self.normals[i as usize].as_dvec3()))
+    }
+
+    /// Every primitive, in order.
+    pub fn primitives(&self) -> impl Iterator<Item = Primitive> + '_ {
+        let all = |kind, count| (0..count).map(move |index| Primitive::new(kind, index));
+        all(Kind::Triangle, self.triangles.len())
+            .chain(all(Kind::Sphere, self.spheres.len()))
+            .chain(all(Kind::Disk, self.disks.len()))
+            .chain(all(Kind::Plane, self.planes.len()))
+    }
+
+    /// Whose a primitive is.
+    pub fn owner(&self, primitive: Primitive) -> Owner {
+        let index = primitive.index();
+        match primitive.kind() {
+            Kind::Triangle => self.triangle_owners[index],
+            Kind::Sphere => self.spheres[index].owner,
+            Kind::Disk => self.disks[index].owner,
+            Kind::Plane => self.planes[index].owner,
+        }
+    }
+
+    /// The box around a primitive; none for a plane.
+    pub(super) fn bounds_of(&self, primitive: Primitive) -> Option<Bounds> {
+        let index = primitive.index();
+        match primitive.kind() {
+            Kind::Triangle => Some(triangle::bounds(self.corners(index))),
+            Kind::Sphere => Some(sphere::bounds(&self.spheres[index])),
+            Kind::Disk => Some(disk::bounds(&self.disks[index])),
+            Kind::Plane => None,
+        }
+    }
+
+    /// The box around everything bounded.
+    pub(super) fn bounds(&self) -> Bounds {
+        self.primitives().filter_map(|p| self.bounds_of(p)).fold(Bounds::EMPTY, Bounds::union)
+    }
+
+    /// Memory held, in bytes.
+    pub(super) fn bytes(&self) -> usize {
+        fn of<T>(all: &Vec<T>) -> usize {
+            all.capacity() * size_of::<T>()
+        }
+        of(&self.vertices)
+            + of(&self.normals)
+            + of(&self.triangles)
+            + of(&self.triangle_normals)
+            + of(&self.triangle_owners)
+            + of(&self.spheres)
+            + of(&self.disks)
+            + of(&self.planes)
+    }
+}

@@ -1,0 +1,78 @@
+//! Triangles, watertight [Woop13]: of two triangles that share an edge, one at least is met.
+
+use glam::{DVec3, Vec2, Vec3};
+
+use super::Bounds;
+use super::ray::{Point, Probe, Surface};
+use super::rounding;
+use super::shapes::Shapes;
+
+/// Twice the signed areas of the three parts into which the ray cuts the triangle, seen along the
+/// ray; they are the barycentric weights, not yet divided by their sum.
+fn parts(probe: &Probe, corners: [Vec3; 3]) -> DVec3 {
+    let axis = probe.direction.abs().max_position();
+    let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
+    let d = probe.direction;
+    let shear = (d[x] / d[axis], d[y] / d[axis]);
+    let [a, b, c] = corners.map(|corner| {
+        let p = corner.as_dvec3() - probe.origin;
+        (p[x] - shear.0 * p[axis], p[y] - shear.1 * p[axis])
+    });
+    DVec3::new(c.0 * b.1 - c.1 * b.0, a.0 * c.1 - a.1 * c.0, b.0 * a.1 - b.1 * a.0)
+}
+
+/// Normal by the corners' order, not of unit length. Differences of f32 fit f64, and so mostly do
+/// their products: slivers have normals too.
+pub(super) fn normal(corners: [Vec3; 3]) -> DVec3 {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    (b - a).cross(c - a)
+}
+
+/// The parameter t > 0 at which the ray meets the triangle, edges included.
+pub(super) fn meet(probe: &Probe, corners: [Vec3; 3]) -> Option<f32> {
+    let parts = parts(probe, corners);
+    if parts.min_element() < 0.0 && parts.max_element() > 0.0 {
+        return None;
+    }
+    let normal = normal(corners);
+    let t = normal.dot(corners[0].as_dvec3() - probe.origin) / normal.dot(probe.direction);
+    (t > 0.0 && t.is_finite()).then_some(t as f32)
+}
+
+/// The place where the ray meets it.
+pub(super) fn surface(probe: &Probe, shapes: &Shapes, index: usize) -> Surface {
+    let corners = shapes.corners(index);
+    let parts = parts(probe, corners);
+    let sum = parts.element_sum();
+    // The ray may pass outside by rounding: the nearest weights inside stand for it.
+    let weights = if sum != 0.0 { (parts / sum).max(DVec3::ZERO) } else { DVec3::ONE };
+    let weights = weights / weights.element_sum();
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    let exact = weights.x * a + weights.y * b + weights.z * c;
+    let (position, error) = rounding::position(exact, a.abs() + b.abs() + c.abs());
+    let ng = normal(corners).normalize_or(DVec3::Z);
+    let ns = shapes.corner_normals(index).map_or(ng, |[na, nb, nc]| {
+        let n = (weights.x * na + weights.y * nb + weights.z * nc).normalize_or_zero();
+        match n.dot(ng) {
+            cos if cos > 0.0 => n,
+            cos if cos < 0.0 => -n,
+            _ => ng,
+        }
+    });
+    Surface {
+        point: Point { position, error, ng: ng.as_vec3() },
+        ns: ns.as_vec3(),
+        uv: Vec2::new(weights.y as f32, weights.z as f32),
+    }
+}
+
+/// The box of the three corners.
+pub(super) fn bounds(corners: [Vec3; 3]) -> Bounds {
+    let [a, b, c] = corners;
+    Bounds { min: a.min(b).min(c), max: a.max(b).max(c) }
+}
+
+/// In square world units.
+pub(super) fn area(corners: [Vec3; 3]) -> f64 {
+    normal(corners).length() / 2.0
+}
