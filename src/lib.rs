@@ -10,6 +10,7 @@ pub mod load;
 pub mod prepare;
 pub mod render;
 pub mod run;
+pub mod measure;
 pub mod files;
 pub mod diag;
 pub mod math;

@@ -7,14 +7,18 @@ use std::path::{Path, PathBuf};
 const MAY_NAME: &[(&str, &[&str])] = &[
     (
         "cli",
-        &["run", "prepare", "load", "lang", "files", "render", "scene", "diag", "data", "math"],
+        &[
+            "run", "prepare", "load", "lang", "measure", "files", "render", "scene", "diag",
+            "data", "math",
+        ],
     ),
-    ("run", &["render", "files", "math"]),
+    ("run", &["render", "measure", "files", "math"]),
     ("prepare", &["load", "scene", "render", "diag", "data", "math"]),
     ("load", &["scene", "files", "diag", "data", "math"]),
     ("lang", &["scene", "diag", "data", "math"]),
     ("scene", &["diag", "data", "math"]),
     ("render", &["math"]),
+    ("measure", &["math"]),
     ("files", &["math"]),
     ("diag", &[]),
     ("math", &[]),
@@ -30,6 +34,7 @@ const QUARANTINE: &[(&str, &[&str])] = &[
     ("png", &["files"]),
     ("exr", &["files"]),
     ("tempfile", &["files"]),
+    ("puruspe", &["measure"]),
     ("obvhs", &["render/geometry"]),
     ("rayon", &["render", "prepare", "load", "files"]),
     ("clap", &["cli"]),
