@@ -40,7 +40,7 @@ const QUARANTINE: &[(&str, &[&str])] = &[
     ("clap", &["cli"]),
     ("indicatif", &["cli"]),
     ("ctrlc", &["cli"]),
-    ("rustix", &["cli"]),
+    ("rustix", &["cli", "files"]),
     ("std::fs", &["files"]),
     ("std::time", &["cli"]),
     ("std::env", &["cli"]),

@@ -1,1 +1,16 @@
 //! The only room that touches the disk.
+//!
+//! Whatever comes from outside is hostile until checked: only regular files are opened, sizes are
+//! bounded before anything is allocated. Whatever goes out appears whole or not at all.
+
+mod failure;
+pub mod regular;
+pub mod text;
+pub mod whole;
+pub mod exr;
+pub mod png;
+
+pub use failure::Failure;
+
+/// What is told about a picture, key and value; ours begin with `scn:`.
+pub type Metadata = Vec<(String, String)>;

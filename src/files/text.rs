@@ -1,0 +1,39 @@
+//! Scene files as text.
+
+use std::path::Path;
+
+use super::{Failure, regular};
+
+/// The longest scene file, in bytes.
+const LIMIT: u64 = 8_000_000;
+
+/// The text of a scene file: a regular file of at most 8 MB, in UTF-8. A byte order mark is left
+/// out.
+pub fn read(path: &Path) -> Result<String, Failure> {
+    let bytes = regular::read(path, LIMIT)?;
+    let bytes = match bytes.strip_prefix(b"\xef\xbb\xbf") {
+        Some(rest) => rest.to_vec(),
+        None => bytes,
+    };
+    String::from_utf8(bytes).map_err(|error| {
+        let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();
+        Failure::new(format!("is not UTF-8 text: line {line} holds other bytes"))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn other_bytes_are_named_by_their_line() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.scn");
+        std::fs::write(&path, "\u{feff}scn 1 in m\n").unwrap();
+        assert_eq!(read(&path).unwrap(), "scn 1 in m\n");
+        std::fs::write(&path, b"scn 1\n// caf\xe9\n").unwrap();
+        let failure = read(&path).unwrap_err().to_string();
+        assert_eq!(failure, "is not UTF-8 text: line 2 holds other bytes");
+    }
+}

@@ -1,0 +1,158 @@
+//! Files that appear whole or not at all: written beside, then renamed.
+
+use std::fs::{self, File};
+use std::io::{BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use super::{Failure, regular};
+
+/// Writes a file by `fill`, making its folder if there is none. When anything fails, what was
+/// there before is still there, and nothing else.
+pub fn write(
+    path: &Path,
+    fill: impl FnOnce(&mut BufWriter<&mut File>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let path = target(path)?;
+    let name = path.file_name().ok_or_else(|| Failure::new("has no file name"))?;
+    let folder = match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    fs::create_dir_all(folder).map_err(|error| folder_failure(folder, error))?;
+
+    let mut prefix = std::ffi::OsString::from(".");
+    prefix.push(name);
+    let mut beside = beside(&prefix, folder)?;
+    let mut writer = BufWriter::new(beside.as_file_mut());
+    fill(&mut writer)?;
+    writer.flush()?;
+    drop(writer);
+    // Some disks tell that they are full only now.
+    beside.as_file().sync_all()?;
+    beside.persist(&path).map_err(|error| Failure::from(error.error))?;
+    Ok(())
+}
+
+/// Where the bytes go: through symbolic links, and only in the place of a regular file.
+fn target(path: &Path) -> Result<PathBuf, Failure> {
+    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    match fs::metadata(&path) {
+        Ok(metadata) if metadata.is_dir() => Err(Failure::new("is a folder")),
+        Ok(metadata) if !metadata.is_file() => {
+            Err(Failure::new(regular::special(metadata.file_type())))
+        }
+        _ => Ok(path),
+    }
+}
+
+/// A hidden file in the same folder, with the permissions a new file gets there. It goes away by
+/// itself unless it is renamed.
+fn beside(prefix: &std::ffi::OsStr, folder: &Path) -> Result<tempfile::NamedTempFile, Failure> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(prefix).suffix(".part");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder).map_err(|error| folder_failure(folder, error))
+}
+
+fn folder_failure(folder: &Path, error: std::io::Error) -> Failure {
+    let folder = folder.display();
+    match error.kind() {
+        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => {
+            Failure::new(format!("needs the folder {folder}, but a file is in its way"))
+        }
+        ErrorKind::PermissionDenied => {
+            Failure::new(format!("may not be made in the folder {folder}: permission denied"))
+        }
+        ErrorKind::ReadOnlyFilesystem => {
+            Failure::new(format!("is to go to {folder}, on a disk that can only be read"))
+        }
+        ErrorKind::NotFound => {
+            Failure::new(format!("needs the folder {folder}, which cannot be made"))
+        }
+        _ => error.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn put(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+        write(path, |file| Ok(file.write_all(bytes)?))
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).unwrap();
+        entries.map(|e| e.unwrap().file_name().to_string_lossy().into_owned()).collect()
+    }
+
+    #[test]
+    fn folders_are_made_and_files_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out/w01/a.txt");
+        put(&path, b"old").unwrap();
+        put(&path, b"new").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        assert_eq!(names(&folder.path().join("out/w01")), ["a.txt"]);
+    }
+
+    #[test]
+    fn a_failure_halfway_keeps_what_was_there_and_leaves_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        put(&path, b"old").unwrap();
+        let full = write(&path, |file| {
+            file.write_all(&[b'x'; 100_000])?;
+            Err(std::io::Error::from(ErrorKind::StorageFull).into())
+        });
+        assert_eq!(full.unwrap_err().to_string(), "finds no space left on the disk");
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+        assert_eq!(names(folder.path()), ["a.txt"]);
+    }
+
+    #[test]
+    fn a_file_where_a_folder_should_be_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("out");
+        put(&file, b"I am a file").unwrap();
+        let words = |path: &Path| put(path, b"").unwrap_err().to_string();
+        let wanted = format!("needs the folder {}, but a file is in its way", file.display());
+        assert_eq!(words(&file.join("a.txt")), wanted);
+        assert_eq!(words(folder.path()), "is a folder");
+        assert_eq!(fs::read(&file).unwrap(), b"I am a file");
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn devices_and_other_peoples_folders_are_left_alone() {
+        use std::os::unix::fs::{FileTypeExt, symlink};
+        let words = |path: &str| put(Path::new(path), b"").unwrap_err().to_string();
+        assert_eq!(words("/dev/full"), "is a device, not a file");
+        assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());
+        assert_eq!(words("/proc/none/a.txt"), "needs the folder /proc/none, which cannot be made");
+        // A link keeps pointing where it points.
+        let folder = tempfile::tempdir().unwrap();
+        let (link, file) = (folder.path().join("link"), folder.path().join("file"));
+        put(&file, b"old").unwrap();
+        symlink(&file, &link).unwrap();
+        put(&link, b"new").unwrap();
+        assert_eq!(fs::read(&file).unwrap(), b"new");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn others_may_read_it_as_any_new_file() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let (ours, theirs) = (folder.path().join("ours"), folder.path().join("theirs"));
+        put(&ours, b"").unwrap();
+        fs::write(&theirs, b"").unwrap();
+        let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode();
+        assert_eq!(mode(&ours), mode(&theirs));
+    }
+}
