@@ -4,20 +4,19 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Keys of citations in a text: a capital, letters, two digits; after `[`, and before `]` or `,`.
+/// Keys of citations in a text, among what brackets hold between commas: a capital, letters, and
+/// two digits.
 fn cited(text: &str) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    for (at, _) in text.match_indices('[') {
-        let rest = &text[at + 1..];
-        let name = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
-        let digits = rest[name..].bytes().take_while(u8::is_ascii_digit).count();
-        let ends = rest[name + digits..].starts_with([']', ',']);
-        let capital = rest.starts_with(|c: char| c.is_ascii_uppercase());
-        if capital && name > 1 && digits == 2 && ends {
-            found.insert(rest[..name + 2].to_string());
-        }
-    }
-    found
+    let is_key = |word: &&str| {
+        let name = word.trim_end_matches(|c: char| c.is_ascii_digit());
+        word.len() == name.len() + 2
+            && name.len() > 1
+            && name.starts_with(|c: char| c.is_ascii_uppercase())
+            && name.bytes().all(|b| b.is_ascii_alphabetic())
+    };
+    let brackets = text.split('[').skip(1).filter_map(|rest| rest.split_once(']'));
+    let words = brackets.flat_map(|(inside, _)| inside.split(',').map(str::trim));
+    words.filter(is_key).map(str::to_string).collect()
 }
 
 fn files(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) {
@@ -62,6 +61,7 @@ fn every_citation_has_an_entry_and_every_entry_is_cited() {
 
 #[test]
 fn citations_are_told_from_other_brackets() {
-    let found = cited("[Woop13] and [Turk94, sec. 2], not [f32; 3], [A1], [Woop2013] or a[B12x]");
-    assert_eq!(found.into_iter().collect::<Vec<_>>(), ["Turk94", "Woop13"]);
+    let found =
+        cited("[Woop13], [Turk94, sec. 2, Jung20]; not [f32; 3], [A1], [Woop2013], a[B12x]");
+    assert_eq!(found.into_iter().collect::<Vec<_>>(), ["Jung20", "Turk94", "Woop13"]);
 }
