@@ -2,6 +2,8 @@
 //!
 //! Names nothing else of ours. f64 wherever a scene is described, f32 where it is rendered.
 
+#[cfg(test)]
+pub(crate) mod chi_squared;
 mod mesh;
 mod picture;
 mod progress;

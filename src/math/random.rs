@@ -1,11 +1,6 @@
 //! Random numbers as a pure function of their place: (seed, pixel, sample, dimension).
-
-/// A well-mixed 32-bit hash of its input: PCG's RXS-M-XS output over one LCG step [Jarzynski20].
-pub fn pcg(input: u32) -> u32 {
-    let state = input.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
-    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
-    (word >> 22) ^ word
-}
+//!
+//! Nothing is drawn in order, so no thread, pass or tile can change what another one sees.
 
 /// A 64-bit finaliser (SplitMix64 [Steele14]): every input bit reaches every output bit.
 pub fn mix(input: u64) -> u64 {
@@ -15,18 +10,113 @@ pub fn mix(input: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// Uniform in [0, 1): never 1, which `bits as f32 / 2³²` can be.
-pub fn unit_f32(bits: u32) -> f32 {
-    (bits >> 8) as f32 * (1.0 / 16_777_216.0)
+/// The bits at one more coordinate of a place: `at(at(mix(seed), pixel), sample)` and so on.
+pub fn at(place: u64, coordinate: u64) -> u64 {
+    mix(place ^ mix(coordinate))
+}
+
+/// Two numbers in [0, 1), of 32 bits each: exact in f64, and never 1.
+pub fn unit_pair(bits: u64) -> [f64; 2] {
+    const STEP: f64 = 1.0 / 4_294_967_296.0;
+    [(bits >> 32) as f64 * STEP, (bits & 0xffff_ffff) as f64 * STEP]
+}
+
+/// The nearest f32 that is not 1: of a number in [0, 1), which rounding alone would make 1.
+pub fn unit_f32(unit: f64) -> f32 {
+    (unit as f32).min(1.0 - f32::EPSILON / 2.0)
+}
+
+/// Where `index` goes in a shuffle of `0..length` that `key` chooses; `length` is at most 2³¹.
+///
+/// An invertible hash on the least power of two that holds `length`, walked along its cycle until
+/// it falls below `length` [Kensler13], then turned by a random offset, so that each index goes
+/// to each place with the same chance to within 2⁻³² · `length`.
+pub fn shuffled(index: u32, length: u32, key: u64) -> u32 {
+    debug_assert!(index < length && length <= 1 << 31);
+    if length == 1 {
+        return 0;
+    }
+    let bits = 32 - (length - 1).leading_zeros();
+    let mask = (1_u32 << bits) - 1;
+    let half = bits.div_ceil(2);
+    let (low, high) = (key as u32, (key >> 32) as u32);
+    let mut place = index;
+    loop {
+        for round in [low, high, mix(key) as u32, (mix(key) >> 32) as u32] {
+            place = (place ^ round) & mask;
+            place = place.wrapping_mul(round.rotate_left(11) | 1) & mask;
+            place ^= place >> half;
+            place = place.wrapping_add(round.rotate_left(19)) & mask;
+        }
+        if place < length {
+            break;
+        }
+    }
+    let offset = (mix(key ^ 0x5851_f42d_4c95_7f2d) >> 32) * u64::from(length) >> 32;
+    ((u64::from(place) + offset) % u64::from(length)) as u32
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::chi_squared;
 
     #[test]
     fn the_unit_interval_is_half_open() {
-        assert_eq!(unit_f32(0), 0.0);
-        assert!(unit_f32(u32::MAX) < 1.0);
+        assert_eq!(unit_pair(0), [0.0, 0.0]);
+        let [high, low] = unit_pair(u64::MAX);
+        assert!(high < 1.0 && low < 1.0);
+        assert!(unit_f32(high) < 1.0);
+        assert_eq!(unit_f32(0.25), 0.25);
+    }
+
+    #[test]
+    fn a_shuffle_loses_nothing() {
+        for length in [1, 2, 3, 4, 9, 16, 100, 257, 4096] {
+            for key in 0..20 {
+                let key = mix(key);
+                let mut seen = vec![false; length as usize];
+                (0..length).for_each(|i| seen[shuffled(i, length, key) as usize] = true);
+                assert!(seen.iter().all(|s| *s), "{length}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_index_goes_everywhere_alike_and_so_does_every_pair() {
+        for length in [2_u32, 3, 4, 9, 16] {
+            let n = length as usize;
+            let mut firsts = vec![0_u64; n];
+            let mut pairs = vec![0_u64; n * (n - 1)];
+            for key in 0..60_000 {
+                let key = mix(key ^ 0xabcd);
+                let a = shuffled(0, length, key) as usize;
+                let b = shuffled(length - 1, length, key) as usize;
+                firsts[a] += 1;
+                pairs[a * (n - 1) + b - usize::from(b > a)] += 1;
+            }
+            let even = |bins: usize| vec![1.0 / bins as f64; bins];
+            chi_squared::assert_fits(&firsts, &even(n));
+            chi_squared::assert_fits(&pairs, &even(n * (n - 1)));
+        }
+    }
+
+    #[test]
+    fn neighbouring_places_are_independent() {
+        // Joint histogram of the first numbers of two neighbours, along each coordinate.
+        let value = |p: [u64; 4]| {
+            let [x, _] = unit_pair(at(at(at(mix(p[0]), p[1]), p[2]), p[3]));
+            (x * 8.0) as usize
+        };
+        for axis in 0..4 {
+            let mut bins = vec![0; 64];
+            for i in 0..40_000_u64 {
+                let place = [i % 7, i % 1021, i / 1021, i % 3];
+                let mut next = place;
+                next[axis] += 1;
+                bins[value(place) * 8 + value(next)] += 1;
+            }
+            chi_squared::assert_fits(&bins, &[1.0 / 64.0; 64]);
+        }
     }
 }

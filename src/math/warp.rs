@@ -29,3 +29,74 @@ pub fn square_to_sphere(u: Vec2) -> Vec3 {
     let (sin, cos) = (std::f32::consts::TAU * u.y).sin_cos();
     Vec3::new(r * cos, r * sin, z)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{chi_squared, random};
+
+    const SAMPLES: u64 = 100_000;
+
+    fn square(i: u64) -> Vec2 {
+        let [x, y] = random::unit_pair(random::at(17, i));
+        Vec2::new(random::unit_f32(x), random::unit_f32(y))
+    }
+
+    /// Counts samples in bins; a warp is uniform by area when bins of one area fill alike.
+    fn assert_uniform(bins: usize, bin: impl Fn(Vec2) -> usize) {
+        let mut counts = vec![0; bins];
+        (0..SAMPLES).for_each(|i| counts[bin(square(i)).min(bins - 1)] += 1);
+        chi_squared::assert_fits(&counts, &vec![1.0 / bins as f64; bins]);
+    }
+
+    fn turn(x: f32, y: f32) -> f32 {
+        y.atan2(x) / std::f32::consts::TAU + 0.5
+    }
+
+    #[test]
+    fn the_disk_is_filled_evenly() {
+        // Rings of one area (r² is even) by sectors of one angle.
+        assert_uniform(8 * 12, |u| {
+            let p = square_to_disk(u);
+            assert!(p.length() <= 1.000_001);
+            let ring = ((p.length_squared() * 8.0) as usize).min(7);
+            ring * 12 + ((turn(p.x, p.y) * 12.0) as usize).min(11)
+        });
+    }
+
+    #[test]
+    fn the_triangle_is_filled_evenly() {
+        // A grid over the square; its upper right half is folded onto the lower left one, whose
+        // cells on the diagonal are halves.
+        const N: usize = 10;
+        let mut counts = vec![0; N * N];
+        for i in 0..SAMPLES {
+            let p = square_to_triangle(square(i));
+            assert!(p.min_element() >= 0.0 && p.x + p.y <= 1.000_001);
+            let cell = |x: f32| ((x * N as f32) as usize).min(N - 1);
+            counts[cell(p.y) * N + cell(p.x)] += 1;
+        }
+        let cells = (0..N * N).map(|i| match (i % N + i / N).cmp(&(N - 1)) {
+            std::cmp::Ordering::Less => 2.0 / (N * N) as f64,
+            std::cmp::Ordering::Equal => 1.0 / (N * N) as f64,
+            std::cmp::Ordering::Greater => 0.0,
+        });
+        // Rounding may put a sample on the far side of the diagonal.
+        let beyond: u64 = (0..N * N).filter(|i| i % N + i / N >= N).map(|i| counts[i]).sum();
+        assert!(beyond <= 2, "{beyond}");
+        let (kept, expected): (Vec<_>, Vec<_>) =
+            counts.iter().zip(cells).filter(|(_, p)| *p > 0.0).map(|(c, p)| (*c, p)).unzip();
+        chi_squared::assert_fits(&kept, &expected);
+    }
+
+    #[test]
+    fn the_sphere_is_filled_evenly() {
+        // Zones of one height have one area [Archimedes].
+        assert_uniform(10 * 12, |u| {
+            let p = square_to_sphere(u);
+            assert!((p.length() - 1.0).abs() < 1e-5);
+            let zone = (((p.z + 1.0) * 5.0) as usize).min(9);
+            zone * 12 + ((turn(p.x, p.y) * 12.0) as usize).min(11)
+        });
+    }
+}

@@ -1,3 +1,15 @@
 //! World → samples. Knows light, not words. Cannot fail, cannot read, cannot print.
+//!
+//! Inside: integrators → {world film samplers tiles} → {cameras lights materials} → geometry.
 
+pub mod integrators;
+pub mod tiles;
+mod world;
+pub mod film;
+pub mod samplers;
+pub mod cameras;
+pub mod lights;
+pub mod materials;
 pub mod geometry;
+
+pub use world::World;

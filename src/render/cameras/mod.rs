@@ -1,0 +1,24 @@
+//! Cameras: from a place on the film to a ray.
+
+mod perspective;
+
+pub use perspective::Perspective;
+
+use super::geometry::Ray;
+
+/// Where the picture is taken from.
+#[derive(Clone, Debug)]
+pub enum Camera {
+    /// A pinhole.
+    Perspective(Perspective),
+}
+
+impl Camera {
+    /// The ray of a place on the film, in pixels: x to the right, y down, from the top left
+    /// corner. Places outside the film are seen too, since filters reach there.
+    pub fn ray(&self, x: f64, y: f64) -> Ray {
+        match self {
+            Self::Perspective(camera) => camera.ray(x, y),
+        }
+    }
+}

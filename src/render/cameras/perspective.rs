@@ -1,0 +1,120 @@
+//! A pinhole camera.
+//!
+//! Rays are computed in f64 and rounded at the end. At the narrowest fields of view a pixel is
+//! smaller than the rounding of a direction (2⁻²⁴ rad, or 3.4e-6 deg): below about 0.003 deg over
+//! 1000 pixels neighbouring rays begin to coincide, and the picture shows steps.
+
+use glam::DVec3;
+
+use crate::render::geometry::Ray;
+
+/// A pinhole camera in world space.
+#[derive(Clone, Debug)]
+pub struct Perspective {
+    eye: DVec3,
+    /// Unit length.
+    forward: DVec3,
+    /// To the right by one pixel, at distance 1.
+    right: DVec3,
+    /// Down by one pixel, at distance 1.
+    down: DVec3,
+    /// From the film's corner to the axis, in pixels.
+    middle: [f64; 2],
+    /// Radius about the origin beyond which there is nothing to meet; infinite for scenes with
+    /// surfaces without end.
+    reach: f64,
+}
+
+impl Perspective {
+    /// A camera at `eye` that looks along `forward`, with `up` upwards in the picture; both of
+    /// unit length and not parallel. `fov_y`: vertical field of view from edge to edge, in
+    /// radians, inside (0, π). `size`: columns and rows of the whole film. `reach`: as the field.
+    pub fn new(
+        eye: DVec3,
+        forward: DVec3,
+        up: DVec3,
+        fov_y: f64,
+        size: [u64; 2],
+        reach: f64,
+    ) -> Self {
+        let [width, height] = size.map(|n| n as f64);
+        let pixel = 2.0 * (0.5 * fov_y).tan() / height;
+        let right = forward.cross(up).normalize();
+        let down = forward.cross(right);
+        Self {
+            eye,
+            forward,
+            right: right * pixel,
+            down: down * pixel,
+            middle: [0.5 * width, 0.5 * height],
+            reach,
+        }
+    }
+
+    /// The ray through a place on the film.
+    pub(super) fn ray(&self, x: f64, y: f64) -> Ray {
+        let aim =
+            self.forward + self.right * (x - self.middle[0]) + self.down * (y - self.middle[1]);
+        let direction = aim.normalize();
+        // A far eye is brought to where the scene begins while there are digits to do it with.
+        let empty = -self.eye.dot(direction) - self.reach;
+        let origin = if empty > 0.0 { self.eye + direction * empty } else { self.eye };
+        Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_max: f32::INFINITY }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn camera(fov_deg: f64, size: [u64; 2]) -> Perspective {
+        let eye = DVec3::new(0.0, 0.0, 3.0);
+        Perspective::new(eye, DVec3::NEG_Z, DVec3::Y, fov_deg.to_radians(), size, f64::INFINITY)
+    }
+
+    #[test]
+    fn right_is_right_and_up_is_up() {
+        let camera = camera(90.0, [4, 2]);
+        let corner = camera.ray(4.0, 0.0).direction;
+        let expected = glam::Vec3::new(2.0, 1.0, -1.0).normalize();
+        assert!((corner - expected).length() < 1e-6, "{corner}");
+        assert_eq!(camera.ray(2.0, 1.0).direction, glam::Vec3::NEG_Z);
+        assert_eq!(camera.ray(2.0, 1.0).origin, glam::Vec3::new(0.0, 0.0, 3.0));
+    }
+
+    #[test]
+    fn extreme_fields_of_view_and_films_give_unit_directions() {
+        for (fov, size) in
+            [(1e-3, [512, 512]), (179.9, [512, 512]), (60.0, [1, 65_535]), (60.0, [65_535, 1])]
+        {
+            let camera = camera(fov, size);
+            for (x, y) in [(0.0, 0.0), (0.5, 0.5), (size[0] as f64, size[1] as f64), (-8.0, 1e5)] {
+                let direction = camera.ray(x, y).direction;
+                assert!((direction.length() - 1.0).abs() < 1e-6, "{fov} {size:?} {direction}");
+            }
+        }
+        // The top edge lies at half the field of view.
+        let top = camera(179.9, [512, 512]).ray(256.0, 0.0).direction;
+        let angle = f64::from(top.y).atan2(-f64::from(top.z)).to_degrees();
+        assert!((angle - 89.95).abs() < 1e-4, "{angle}");
+    }
+
+    #[test]
+    fn narrow_views_lose_no_more_than_rounding() {
+        let camera = camera(1e-3, [1000, 1000]);
+        let edge = camera.ray(1000.0, 500.0).direction;
+        assert!((f64::from(edge.x) / (0.5e-3_f64).to_radians() - 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_far_eye_is_brought_close() {
+        let eye = DVec3::new(1e9, 2e9, 3e9);
+        let forward = -eye.normalize();
+        let camera = Perspective::new(eye, forward, DVec3::Y, 1e-9, [100, 100], 2.0);
+        // One pixel spans 1e-11 rad · 3.7e9 = 0.037 units where the scene is.
+        let (a, b) = (camera.ray(50.0, 50.0), camera.ray(60.0, 50.0));
+        let step = (b.origin - a.origin).length();
+        assert!(a.origin.length() < 2.01);
+        assert!((step / (10.0 * 1e-11 * eye.length() as f32) - 1.0).abs() < 1e-3, "{step}");
+    }
+}

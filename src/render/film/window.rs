@@ -1,0 +1,73 @@
+//! The part of the film that is rendered, and its tiles.
+
+/// Pixels of the film, ends not included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Window {
+    /// Leftmost column.
+    pub x0: u64,
+    /// Topmost row.
+    pub y0: u64,
+    /// One past the rightmost column.
+    pub x1: u64,
+    /// One past the lowest row.
+    pub y1: u64,
+}
+
+/// A part of the window that one thread works on.
+pub type Tile = Window;
+
+/// Pixels along each side of a tile: enough work to pay for handing it out, few enough that the
+/// last ones end together.
+const TILE: u64 = 16;
+
+impl Window {
+    /// Columns.
+    pub fn width(&self) -> u64 {
+        self.x1 - self.x0
+    }
+
+    /// Rows.
+    pub fn height(&self) -> u64 {
+        self.y1 - self.y0
+    }
+
+    /// Columns times rows.
+    pub fn pixels(&self) -> u64 {
+        self.width() * self.height()
+    }
+
+    /// Every pixel, row by row from the top left.
+    pub fn places(&self) -> impl Iterator<Item = (u64, u64)> + use<> {
+        let Self { x0, y0, x1, y1 } = *self;
+        (y0..y1).flat_map(move |y| (x0..x1).map(move |x| (x, y)))
+    }
+
+    /// Tiles that cover it, row by row.
+    pub(super) fn tiles(&self) -> Vec<Tile> {
+        let steps = |from: u64, to: u64| (from..to).step_by(TILE as usize);
+        steps(self.y0, self.y1)
+            .flat_map(|y0| {
+                steps(self.x0, self.x1).map(move |x0| Tile {
+                    x0,
+                    y0,
+                    x1: (x0 + TILE).min(self.x1),
+                    y1: (y0 + TILE).min(self.y1),
+                })
+            })
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_cover_the_window_once() {
+        let window = Window { x0: 3, y0: 7, x1: 50, y1: 40 };
+        let mut seen: Vec<_> = window.tiles().iter().flat_map(Window::places).collect();
+        seen.sort_by_key(|(x, y)| (*y, *x));
+        assert_eq!(seen, window.places().collect::<Vec<_>>());
+        assert_eq!(seen.len() as u64, window.pixels());
+    }
+}

@@ -1,0 +1,22 @@
+//! Parallel light from infinitely far away.
+
+use glam::Vec3;
+
+use super::{Arrival, Point, Ray};
+use crate::math::Rgb;
+
+/// Light of one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Directional {
+    /// Towards the light; unit length.
+    pub to_light: Vec3,
+    /// On a surface square to it, in light units.
+    pub irradiance: Rgb,
+}
+
+impl Directional {
+    pub(super) fn arrive(&self, at: &Point) -> Arrival {
+        let shadow = Ray::new(at.leave(self.to_light), self.to_light);
+        Arrival { wi: self.to_light, irradiance: self.irradiance, shadow }
+    }
+}

@@ -1,0 +1,162 @@
+//! The tile loop: a pass over the picture, spread over threads.
+//!
+//! A pass is a function of the world and a range of samples. Tiles are computed apart, each by
+//! one thread from its first sample to its last, so nothing depends on which thread does which.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use super::World;
+use super::film::Tile;
+use super::geometry::Ray;
+use super::samplers::Stream;
+use crate::math::Rgb;
+
+/// What a pass is asked to do.
+pub struct Job<'a> {
+    /// Chooses all random numbers.
+    pub seed: u64,
+    /// Samples of every pixel, counted from the first of the whole render.
+    pub samples: Range<u64>,
+    /// Sums to go on from, tile by tile; None: from zero.
+    pub from: Option<&'a [TileSums]>,
+    /// Asked before each tile: whether to leave the rest undone.
+    pub cancelled: &'a (dyn Fn() -> bool + Sync),
+    /// Told after each tile how many samples were taken in it.
+    pub advance: &'a (dyn Fn(u64) + Sync),
+}
+
+/// Weighted sums of radiance over samples, in light units: one for each pixel of a tile, row by
+/// row from the top left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TileSums {
+    /// Red, green and blue.
+    pub pixels: Vec<[f64; 3]>,
+    /// What was counted on the way.
+    pub counts: Counts,
+}
+
+/// What one sample found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Radiance along the camera's ray, in light units.
+    pub radiance: Rgb,
+    /// Number of the object that the camera's ray met.
+    pub object: Option<u32>,
+}
+
+/// What is counted while samples are taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Rays from the camera.
+    pub rays: u64,
+    /// Rays to lamps.
+    pub shadow_rays: u64,
+    /// Samples that were not finite.
+    pub invalid: Option<Invalid>,
+}
+
+/// Samples that were not finite. They count as black.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Invalid {
+    /// How many.
+    pub count: u64,
+    /// Where: the lowest pixel, and its lowest sample.
+    pub first: Place,
+}
+
+/// A sample's place. Ordered by pixel in reading order of the whole film, then by sample.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    /// Row of the whole film, from the top.
+    pub y: u64,
+    /// Column of the whole film, from the left.
+    pub x: u64,
+    /// Number of the sample, from 0.
+    pub sample: u64,
+    /// Number of the object that the camera's ray met.
+    pub object: Option<u32>,
+}
+
+impl Counts {
+    /// Adds what was counted elsewhere.
+    pub fn add(&mut self, other: &Self) {
+        self.rays += other.rays;
+        self.shadow_rays += other.shadow_rays;
+        self.invalid = match (self.invalid, other.invalid) {
+            (Some(a), Some(b)) => {
+                Some(Invalid { count: a.count + b.count, first: a.first.min(b.first) })
+            }
+            (a, b) => a.or(b),
+        };
+    }
+}
+
+/// Takes the job's samples of every pixel of the film's window. A tile is None if the job was
+/// cancelled before it.
+pub fn pass<F>(world: &World, job: &Job, radiance: F) -> Vec<Option<TileSums>>
+where
+    F: Fn(&Ray, &mut Stream, &mut Counts) -> Sample + Sync,
+{
+    let tiles = world.film.tiles();
+    (0..tiles.len())
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|index| {
+            if (job.cancelled)() {
+                return None;
+            }
+            let tile = &tiles[index];
+            let sums = one(world, job, tile, job.from.map(|from| &from[index]), &radiance);
+            (job.advance)(tile.pixels() * (job.samples.end - job.samples.start));
+            Some(sums)
+        })
+        .collect()
+}
+
+/// The samples of one tile.
+fn one<F>(world: &World, job: &Job, tile: &Tile, from: Option<&TileSums>, radiance: &F) -> TileSums
+where
+    F: Fn(&Ray, &mut Stream, &mut Counts) -> Sample,
+{
+    let fresh = || vec![[0.0; 3]; tile.pixels() as usize];
+    let mut pixels = from.map_or_else(fresh, |sums| sums.pixels.clone());
+    let mut counts = from.map_or_else(Counts::default, |sums| sums.counts);
+    for ((x, y), sum) in tile.places().zip(&mut pixels) {
+        for sample in job.samples.clone() {
+            let mut stream = world.sampler.stream(job.seed, world.film.index(x, y), sample);
+            let (dx, dy, weight) = world.film.filter.sample(stream.pair());
+            let ray = world.camera.ray(x as f64 + 0.5 + dx, y as f64 + 0.5 + dy);
+            counts.rays += 1;
+            let found = radiance(&ray, &mut stream, &mut counts);
+            if !found.radiance.is_finite() {
+                let first = Place { y, x, sample, object: found.object };
+                counts.add(&Counts {
+                    invalid: Some(Invalid { count: 1, first }),
+                    ..Counts::default()
+                });
+                continue;
+            }
+            for (sum, component) in sum.iter_mut().zip(found.radiance.to_array()) {
+                *sum += weight * f64::from(component);
+            }
+        }
+    }
+    TileSums { pixels, counts }
+}
+
+/// A pool of so many threads, in place of one for each processor.
+pub struct Threads(rayon::ThreadPool);
+
+impl Threads {
+    /// None if the system will not give so many.
+    pub fn new(count: usize) -> Option<Self> {
+        rayon::ThreadPoolBuilder::new().num_threads(count).build().ok().map(Self)
+    }
+
+    /// Does `work` with these threads, and everything that it spreads over threads.
+    pub fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        self.0.install(work)
+    }
+}

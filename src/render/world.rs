@@ -1,0 +1,28 @@
+//! The World: everything a ray can meet, and how pictures are taken of it.
+
+use super::cameras::Camera;
+use super::film::Film;
+use super::geometry::Geometry;
+use super::lights::Lights;
+use super::materials::Material;
+use super::samplers::Sampler;
+
+/// Lengths are in world units: the scene moved to the middle of its bounding box and scaled by a
+/// power of two to fit about [-1, 1]. Radiance does not change by that; it is in `light_unit`s.
+pub struct World {
+    /// What a ray can meet.
+    pub geometry: Geometry,
+    /// What surfaces do with light; hits name them by number.
+    pub materials: Vec<Material>,
+    /// What shines.
+    pub lights: Lights,
+    /// Where the picture is taken from.
+    pub camera: Camera,
+    /// What the light becomes.
+    pub film: Film,
+    /// Where the random numbers come from.
+    pub sampler: Sampler,
+    /// W/m²/sr of one unit of radiance within: a power of two near the brightest light, so that
+    /// products of very bright or very faint light neither overflow nor vanish.
+    pub light_unit: f64,
+}

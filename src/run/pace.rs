@@ -1,0 +1,55 @@
+//! How many samples the next pass takes: one at first, so that something is there at once, then
+//! as many as fit about a quarter of a second, so that a pass costs little beside its samples.
+
+/// The length of passes, from how long they took.
+pub(super) struct Pace {
+    samples: u64,
+}
+
+/// Seconds a pass should take.
+const PASS: f64 = 0.25;
+
+/// How many times longer than the last one a pass may be: the first passes warm caches up, and
+/// tell little.
+const GROWTH: u64 = 4;
+
+impl Pace {
+    pub fn new() -> Self {
+        Self { samples: 1 }
+    }
+
+    /// Samples of each pixel in the next pass, at least 1.
+    pub fn samples(&self) -> u64 {
+        self.samples
+    }
+
+    /// A pass of so many samples took so many seconds.
+    pub fn took(&mut self, samples: u64, seconds: f64) {
+        // Clocks are others': one that stands still or lies gives the longest pass, no panic.
+        let fitting = samples as f64 * PASS / seconds.max(f64::MIN_POSITIVE);
+        self.samples = (fitting as u64).clamp(1, samples.saturating_mul(GROWTH));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn passes_grow_to_a_quarter_of_a_second_and_no_further() {
+        let mut pace = Pace::new();
+        assert_eq!(pace.samples(), 1);
+        pace.took(1, 0.01);
+        assert_eq!(pace.samples(), 4);
+        pace.took(4, 0.04);
+        assert_eq!(pace.samples(), 16);
+        pace.took(16, 0.16);
+        assert_eq!(pace.samples(), 25);
+        pace.took(25, 100.0);
+        assert_eq!(pace.samples(), 1);
+        for strange in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            pace.took(2, strange);
+            assert!((1..=8).contains(&pace.samples()));
+        }
+    }
+}
