@@ -79,7 +79,8 @@ fn one(diagnostic: &Diagnostic, lines: &mut Lines<'_>, look: Look) -> String {
         // Nothing drawn is lost but the drawing: the words remain.
         text = format!("{}\n", report.headline);
     }
-    let mut text = text.trim_start().to_string();
+    let mut text: String =
+        text.trim_start().lines().map(|line| format!("{}\n", line.trim_end())).collect();
     let notes = [("why", &diagnostic.why), ("help", &diagnostic.help)];
     for (word, note) in notes.iter().filter_map(|(word, note)| Some((word, note.as_ref()?))) {
         let rest = width.saturating_sub(MARGIN);
@@ -218,5 +219,101 @@ impl SourceCode for Excerpt {
             column,
             lines,
         )))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::{Code, Span};
+    use proptest::prelude::*;
+
+    #[test]
+    fn a_report_shows_every_place_on_the_users_own_lines() {
+        let mut sources = Sources::new();
+        let text = "scn 1 in m\n\nobject box: mesh {\n    file: \"box.obj\"\n}\n";
+        let at = text.find("\"box").unwrap();
+        let scene = sources.add("scenes/box.scn", text);
+        let mesh = sources.add_excerpt("models/box.obj", "f 1 2 3\nusemtl whit\nf 4 5 6", 1041);
+        let diagnostic = Diagnostic::error(
+            Code::SYNTAX_UNEXPECTED,
+            "`models/box.obj` uses a material `whit` that no .mtl file of it has",
+        )
+        .label(Span::new(mesh, 15, 19), "there is no material of this name")
+        .label(Span::new(scene, at, at + 9), "the mesh is asked for here")
+        .why("Its faces have no colour then.")
+        .help("write the name as the .mtl has it:\n    usemtl white");
+        let warning = Diagnostic::warning(Code::SYNTAX_UNEXPECTED, "nothing to see");
+        let text = report(&[diagnostic, warning], &sources, "scenes/box.scn", Look::PLAIN);
+        let expected = [
+            "error[syntax/unexpected]: `models/box.obj` uses a material `whit` that no .mtl file of it has",
+            "      ╭─[models/box.obj:1042:8]",
+            " 1041 │ f 1 2 3",
+            " 1042 │ usemtl whit",
+            "      ·        ──┬─",
+            "      ·          ╰── there is no material of this name",
+            " 1043 │ f 4 5 6",
+            "      ╰────",
+            "   ╭─[scenes/box.scn:4:11]",
+            " 3 │ object box: mesh {",
+            " 4 │     file: \"box.obj\"",
+            "   ·           ────┬────",
+            "   ·               ╰── the mesh is asked for here",
+            " 5 │ }",
+            "   ╰────",
+            "  why:  Its faces have no colour then.",
+            "  help: write the name as the .mtl has it:",
+            "            usemtl white",
+            "",
+            "warning[syntax/unexpected]: nothing to see",
+            "",
+            "1 error, 1 warning in scenes/box.scn",
+        ];
+        assert_eq!(text.lines().collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn colour_is_there_when_asked_for_and_only_then() {
+        let fault = [Diagnostic::error(Code::SYNTAX_UNEXPECTED, "x").why("y")];
+        let print = |look| report(&fault, &Sources::new(), "a.scn", look);
+        assert!(!print(Look { unicode: false, ..Look::PLAIN }).contains('\x1b'));
+        assert!(print(Look { colour: true, unicode: false, ..Look::PLAIN }).contains('\x1b'));
+    }
+
+    #[test]
+    fn long_words_and_labels_keep_to_the_width() {
+        let mut sources = Sources::new();
+        let text = format!("{}here\n", "blank ".repeat(200_000));
+        let file = sources.add("long.scn", text);
+        let fault = Diagnostic::error(Code::SYNTAX_UNEXPECTED, "word ".repeat(100))
+            .label(Span::new(file, 1_200_000, 1_200_004), "label ".repeat(40))
+            .help("help ".repeat(100));
+        let look = Look { width: 70, ..Look::PLAIN };
+        for line in report(&[fault], &sources, "long.scn", look).lines() {
+            // A label far right takes what room its words need.
+            assert!(line.chars().count() <= 70 + LABEL_WIDTH, "{line}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn no_text_and_no_label_breaks_the_printer(
+            text in "(\\PC|[\\x00-\\x20]|\n|\r|\t|\u{202e}){0,200}",
+            labels in prop::collection::vec((0u32..250, 0u32..250, "\\PC{0,60}|\x1b\n"), 0..5),
+            width in 0usize..140,
+            first_line in 1usize..1_000_000,
+        ) {
+            let mut sources = Sources::new();
+            sources.add_excerpt("a\u{7}\n.scn", text.clone(), first_line);
+            sources.add("b.scn", text);
+            let mut fault = Diagnostic::error(Code::SYNTAX_UNEXPECTED, "fault");
+            for (i, (start, end, words)) in labels.into_iter().enumerate() {
+                let span = Span { file: crate::diag::FileId(i as u32 % 2), start, end };
+                fault = fault.label(span, words);
+            }
+            let text = report(&[fault], &sources, "a.scn", Look { width, ..Look::PLAIN });
+            let harmful = |c: char| c.is_control() && c != '\n';
+            prop_assert!(!text.contains(harmful), "{text:?}");
+        }
     }
 }
