@@ -1,3 +1,5 @@
 //! The `scn` binary: a thin door to the command line.
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    scn::cli::main()
+}

@@ -1,1 +1,51 @@
 //! The command line: the only room that prints, reads clocks, or chooses an exit code.
+//!
+//! What was asked for (pictures' names, the log, lists) goes to stdout; what is said beside it
+//! (faults, progress) to stderr.
+
+mod options;
+mod terminal;
+mod explain;
+mod list;
+mod near;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+/// How a command ended. What went wrong has been told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    /// It did what was asked.
+    Well,
+    /// It could not do its work: options, the scene file itself, the disk.
+    NotDone,
+}
+
+impl From<End> for ExitCode {
+    fn from(end: End) -> Self {
+        Self::from(match end {
+            End::Well => 0,
+            End::NotDone => 2,
+        })
+    }
+}
+
+/// Runs the command the arguments ask for.
+pub fn main() -> ExitCode {
+    let options = match options::Options::try_parse() {
+        Ok(options) => options,
+        Err(message) => {
+            // Help and version are no faults; clap sends them to stdout. A closed pipe is none
+            // either.
+            let end = if message.use_stderr() { End::NotDone } else { End::Well };
+            let _ = message.print();
+            return end.into();
+        }
+    };
+    let end = match options.command {
+        options::Command::Explain(options) => explain::run(&options),
+        options::Command::List(options) => list::run(&options),
+    };
+    end.into()
+}

@@ -119,7 +119,7 @@ fn bold(text: &str, level: Level, look: Look) -> String {
 
 /// Lines of at most `width` characters, broken between words. Lines that are indented, such as
 /// examples, stay as they are.
-fn wrapped(text: &str, width: usize) -> Vec<String> {
+pub fn wrapped(text: &str, width: usize) -> Vec<String> {
     let mut all = Vec::new();
     for line in text.lines() {
         if line.starts_with(' ') {

@@ -1,0 +1,208 @@
+//! `scn list`: the words of the language, from the schema alone.
+
+mod entries;
+mod types;
+
+use super::near::{either, near};
+use super::options::List;
+use super::{End, terminal};
+use crate::diag::print::Look;
+use crate::math::units::UNITS;
+use crate::scene::KINDS;
+use crate::scene::schema::{Kind, Record, Type};
+use entries::{Entry, entries};
+
+/// Columns of the margin before the text on a field.
+const FIELD_MARGIN: usize = 6;
+
+pub fn run(options: &List) -> End {
+    let look = terminal::stdout_look();
+    let text = match options.word.as_deref() {
+        None => kinds(look),
+        Some("units" | "unit") => units(look),
+        Some(word) => match word_page(word, look) {
+            Some(page) => page,
+            None => {
+                let all: Vec<_> = entries().into_iter().map(|entry| entry.word()).collect();
+                let hint = match near(word, all).as_slice() {
+                    [] => "`scn list` shows the kinds it has".to_string(),
+                    words => format!("did you mean {}?", either(words)),
+                };
+                terminal::fail(&format!("the language has no word `{word}`; {hint}"));
+                return End::NotDone;
+            }
+        },
+    };
+    terminal::say(&text);
+    End::Well
+}
+
+/// Every kind with its variants.
+fn kinds(look: Look) -> String {
+    let mut text = String::from(
+        "Kinds of items. `scn list KIND` shows one whole; any word will do, such as `scn list \
+         diffuse`.\n`scn list units` shows the units.\n",
+    );
+    let name =
+        |kind: &Kind| if kind.named { format!("{} NAME", kind.word) } else { kind.word.into() };
+    let width = KINDS.iter().map(|kind| name(kind).len()).max().unwrap_or(0);
+    for named in [false, true] {
+        text.push_str(if named {
+            "\nMany, each with a name:\n"
+        } else {
+            "\nOne for each picture:\n"
+        });
+        for kind in KINDS.iter().filter(|kind| kind.named == named) {
+            text.push_str(&format!("  {}  {}\n", strong(&name(kind), width, look), flow(kind.doc)));
+            let margin = " ".repeat(width + 4);
+            if let Type::OneOf(variants) = kind.ty {
+                let words: Vec<_> = variants.all.iter().map(|variant| variant.word).collect();
+                let choices = format!("variants: {}", words.join(", "));
+                text.push_str(&block(&choices, &margin, look));
+            }
+            match kind.default.map(types::tidy) {
+                Some("{}") => {}
+                Some(default) => text.push_str(&format!("{margin}default: {default}\n")),
+                None if !kind.named => text.push_str(&format!("{margin}must be given\n")),
+                None => {}
+            }
+        }
+    }
+    text
+}
+
+/// Everything the word means; None if it means nothing.
+fn word_page(word: &str, look: Look) -> Option<String> {
+    let mut found: Vec<Entry> = entries().into_iter().filter(|e| e.word() == word).collect();
+    // A kind tells everything; below it, whole records say more than single fields.
+    if let Some(at) = found.iter().position(|entry| matches!(entry, Entry::Kind(_))) {
+        found.swap(0, at);
+    }
+    // A set of variants tells what the field of its name is.
+    if found.iter().any(|entry| matches!(entry, Entry::Choice { .. })) {
+        found.retain(|entry| !matches!(entry, Entry::Field { .. }));
+    }
+    let pages: Vec<String> = found.iter().map(|entry| page(entry, look)).collect();
+    (!pages.is_empty()).then(|| pages.join("\n"))
+}
+
+fn page(entry: &Entry, look: Look) -> String {
+    let heading = |what: &str, doc: &str| {
+        format!("{}\n{}", strong(what, 0, look), block(&flow(doc), "  ", look))
+    };
+    match entry {
+        Entry::Kind(kind) => {
+            let form = match kind.ty {
+                Type::OneOf(_) => "VARIANT { … }".to_string(),
+                Type::Record(_) => "{ … }".to_string(),
+                other => types::form(other),
+            };
+            let name = if kind.named { " NAME" } else { "" };
+            let mut text = heading(&format!("{}{name}: {form}", kind.word), kind.doc);
+            if let Some(default) = kind.default.map(types::tidy).filter(|d| *d != "{}") {
+                text.push_str(&format!("  default: {default}\n"));
+            }
+            text + &inside(kind.ty, look)
+        }
+        Entry::Choice { variants, path } => {
+            let mut text = heading(&format!("{}: VARIANT {{ … }}", variants.name), variants.doc);
+            text.push_str(&format!("  stands in {path}\n"));
+            text + &inside(Type::OneOf(variants), look)
+        }
+        Entry::Variant { record, path } => heading(path, record.doc) + "\n" + &fields(record, look),
+        Entry::Field { field, path } => {
+            let mut text = format!("{path}\n");
+            text.push_str(&types::field(field, field.word.len(), look));
+            if let Type::OneOf(_) | Type::Record(_) = field.ty {
+                text.push_str(&inside(field.ty, look));
+            }
+            text
+        }
+        Entry::Word { doc, path, .. } => {
+            format!("{path}\n{}", block(&flow(doc), "  ", look))
+        }
+    }
+}
+
+/// The variants or fields of a type.
+fn inside(ty: Type, look: Look) -> String {
+    match ty {
+        Type::OneOf(variants) => {
+            variants.all.iter().map(|record| format!("\n{}", variant(record, look))).collect()
+        }
+        Type::Record(record) => format!("\n{}", fields(record, look)),
+        _ => String::new(),
+    }
+}
+
+fn variant(record: &Record, look: Look) -> String {
+    let doc = block(&flow(record.doc), "    ", look);
+    format!("  {}\n{doc}{}", strong(record.word, 0, look), fields(record, look))
+}
+
+fn fields(record: &Record, look: Look) -> String {
+    let width = record.fields.iter().map(|field| field.word.len()).max().unwrap_or(0);
+    record.fields.iter().map(|field| types::field(field, width, look)).collect()
+}
+
+fn units(look: Look) -> String {
+    let mut text = String::from("Units. A unit follows its number: `550 mm`, `9 W/m^2/sr`.\n\n");
+    let mut rest = UNITS;
+    while let Some(first) = rest.first() {
+        let same = rest.iter().take_while(|unit| unit.dimension == first.dimension).count();
+        let words: Vec<_> = rest[..same].iter().map(|unit| unit.word).collect();
+        let what = first.dimension.name();
+        let what = what.trim_start_matches("an ").trim_start_matches("a ");
+        text.push_str(&format!("  {}  {what}\n", strong(&words.join(" "), 20, look)));
+        rest = &rest[same..];
+    }
+    text
+}
+
+/// A doc comment as one paragraph.
+fn flow(doc: &str) -> String {
+    doc.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// A paragraph in lines that fit, behind a margin.
+fn block(paragraph: &str, margin: &str, look: Look) -> String {
+    let width = look.width.clamp(40, 100) - margin.len();
+    let lines = crate::diag::print::wrapped(paragraph, width);
+    lines.iter().map(|line| format!("{margin}{line}\n")).collect()
+}
+
+/// A word that stands out on a terminal, filled up to `width`.
+fn strong(word: &str, width: usize, look: Look) -> String {
+    let padding = " ".repeat(width.saturating_sub(word.chars().count()));
+    if look.colour { format!("\x1b[1m{word}\x1b[0m{padding}") } else { format!("{word}{padding}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_word_of_the_schema_has_a_page() {
+        let all = entries();
+        assert!(all.len() > 60, "{}", all.len());
+        for entry in all {
+            let page = word_page(entry.word(), Look::PLAIN).unwrap();
+            assert!(page.contains(entry.word()), "{page}");
+            assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
+        }
+        assert_eq!(word_page("glowing", Look::PLAIN), None);
+    }
+
+    #[test]
+    fn a_page_tells_type_unit_range_and_default() {
+        let page = word_page("diffuse", Look::PLAIN).unwrap();
+        for part in ["albedo", "number or colour", "0 or more", "must be given", "W/m^2/sr"] {
+            assert!(page.contains(part), "{part} is not in\n{page}");
+        }
+        let page = word_page("fov_y", Look::PLAIN).unwrap();
+        assert!(page.contains("above 0, below 180 deg"), "{page}");
+        let page = word_page("center", Look::PLAIN).unwrap();
+        assert!(page.contains("integrator direct.area_lights"), "{page}");
+        assert!(page.contains("object sphere.center"), "{page}");
+    }
+}

@@ -1,0 +1,90 @@
+//! Types, ranges and defaults of fields in words.
+
+use super::{FIELD_MARGIN, block, flow, strong};
+use crate::diag::print::Look;
+use crate::math::units::Dimension;
+use crate::scene::schema::{Bound, Field, Range, Type};
+
+/// A field: its word, what may stand there, and what it means.
+pub fn field(field: &Field, width: usize, look: Look) -> String {
+    let mut parts = vec![form(field.ty)];
+    parts.extend(range(field));
+    parts.push(match field.default {
+        Some(default) => format!("default {}", tidy(default)),
+        None if field.optional => "may be left out".to_string(),
+        None => "must be given".to_string(),
+    });
+    let margin = " ".repeat(FIELD_MARGIN + width + 2);
+    let mut text = block(&parts.join("; "), &margin, look);
+    let word = format!("    {}  ", strong(field.word, width + FIELD_MARGIN - 4, look));
+    text.replace_range(..margin.len(), &word);
+    text + &block(&flow(field.doc), &margin, look)
+}
+
+/// What may stand in a place, in words.
+pub fn form(ty: Type) -> String {
+    let unit = |dimension: Dimension| match dimension.unit() {
+        unit if unit.is_empty() => String::new(),
+        unit => format!(" in {unit}"),
+    };
+    match ty {
+        Type::Number(Dimension::NONE) => "number".to_string(),
+        Type::Number(dimension) => {
+            let name = dimension.name();
+            name.trim_start_matches("an ").trim_start_matches("a ").to_string()
+        }
+        Type::Count => "whole number".to_string(),
+        Type::Switch => "on or off".to_string(),
+        Type::Text => "text in quotes".to_string(),
+        Type::File => "name of a file, in quotes".to_string(),
+        Type::Point => "point (x, y, z)".to_string(),
+        Type::Direction => "direction: (x, y, z), or x, -x, y, -y, z, -z".to_string(),
+        Type::Size => "pair of whole numbers (columns, rows)".to_string(),
+        Type::Step => "scale(…), rotate(…) or move(…)".to_string(),
+        Type::Spectrum(dimension) => format!("number or colour{}", unit(dimension)),
+        Type::Words(words) => {
+            let all: Vec<_> = words.all.iter().map(|(word, _)| *word).collect();
+            format!("one of {}", all.join(", "))
+        }
+        Type::OneOf(variants) => {
+            let all: Vec<_> = variants.all.iter().map(|variant| variant.word).collect();
+            format!("{}: one of {}", variants.name, all.join(", "))
+        }
+        Type::Record(_) => "fields in braces".to_string(),
+        Type::List(inner) => format!("list [ … ] of {}", form(*inner)),
+        Type::Map(inner) => format!("record {{ NAME: …, … }}, each {}", form(*inner)),
+        Type::Reference { kind, .. } => format!("the name of a {kind}, or a {kind} itself"),
+    }
+}
+
+/// The bounds of a field, if it has any.
+fn range(field: &Field) -> Option<String> {
+    let angle = matches!(field.ty, Type::Number(Dimension::ANGLE));
+    let number = |x: f64| {
+        if angle && x != 0.0 { format!("{} deg", x.to_degrees()) } else { x.to_string() }
+    };
+    let Range { low, high } = field.range;
+    if let (Bound::Inclusive(low), Bound::Inclusive(high)) = (low, high) {
+        return Some(format!("from {} to {}", number(low), number(high)));
+    }
+    let low = match low {
+        Bound::None => None,
+        Bound::Inclusive(x) => Some(format!("{} or more", number(x))),
+        Bound::Exclusive(x) => Some(format!("above {}", number(x))),
+    };
+    let high = match high {
+        Bound::None => None,
+        Bound::Inclusive(x) => Some(format!("{} or less", number(x))),
+        Bound::Exclusive(x) => Some(format!("below {}", number(x))),
+    };
+    let parts: Vec<_> = low.into_iter().chain(high).collect();
+    (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// A default as a person would write it: no empty braces after a word.
+pub fn tidy(default: &str) -> &str {
+    match default.strip_suffix(" {}") {
+        Some(word) if !word.is_empty() => word,
+        _ => default,
+    }
+}

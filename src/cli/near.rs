@@ -1,0 +1,44 @@
+//! Words near a mistaken one.
+
+/// The candidates most like `word`, best first, three at most; none if nothing is like it.
+pub fn near<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
+    let word = word.to_lowercase();
+    let mut all: Vec<(f64, &str)> = candidates
+        .into_iter()
+        .map(|candidate| {
+            let other = candidate.to_lowercase();
+            let inside = word.len().min(other.len()) >= 3
+                && (other.contains(&word) || word.contains(&other));
+            let likeness = strsim::jaro_winkler(&word, &other);
+            (if inside { likeness.max(0.9) } else { likeness }, candidate)
+        })
+        .filter(|(likeness, _)| *likeness >= 0.75)
+        .collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(b.1)));
+    all.dedup_by_key(|(_, candidate)| *candidate);
+    all.into_iter().take(3).map(|(_, candidate)| candidate).collect()
+}
+
+/// "`a`, `b` or `c`".
+pub fn either(words: &[&str]) -> String {
+    let quoted: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
+    match quoted.as_slice() {
+        [] => String::new(),
+        [one] => one.clone(),
+        [most @ .., last] => format!("{} or {last}", most.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn near_words_are_those_a_person_means() {
+        let words = ["fig01", "fig02", "fig03_mtl", "overview"];
+        assert_eq!(near("fig3", words)[0], "fig03_mtl");
+        assert_eq!(near("FIG02", words)[0], "fig02");
+        assert!(near("zebra", words).is_empty());
+        assert_eq!(either(&["a", "b", "c"]), "`a`, `b` or `c`");
+    }
+}
