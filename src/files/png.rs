@@ -4,7 +4,7 @@ use std::io::BufReader;
 use std::path::Path;
 
 use super::{Failure, Metadata, regular, whole};
-use crate::math::Picture;
+use crate::math::{Picture, srgb};
 
 /// The longest PNG whose words are read, in bytes.
 const LIMIT: u64 = 4_000_000_000;
@@ -62,20 +62,10 @@ fn encoded(picture: &Picture, exposure: f64) -> Result<Vec<u8>, Failure> {
                     "cannot show pixel ({x}, {y}), which is not a number"
                 )));
             }
-            bytes.push((srgb(f64::from(linear) * exposure) * 255.0).round() as u8);
+            bytes.push((srgb::encode(f64::from(linear) * exposure) * 255.0).round() as u8);
         }
     }
     Ok(bytes)
-}
-
-/// The transfer function of sRGB, from linear to encoded, both clipped to [0, 1]
-/// [IEC 61966-2-1].
-fn srgb(linear: f64) -> f64 {
-    if linear <= 0.0031308 {
-        12.92 * linear.max(0.0)
-    } else {
-        1.055 * linear.min(1.0).powf(1.0 / 2.4) - 0.055
-    }
 }
 
 fn unwritten(error: png::EncodingError) -> Failure {

@@ -10,6 +10,7 @@ mod progress;
 pub mod random;
 mod rgb;
 mod spectrum;
+pub mod srgb;
 mod transform;
 pub mod units;
 pub mod warp;
