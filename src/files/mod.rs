@@ -4,7 +4,6 @@
 //! bounded before anything is allocated. Whatever goes out appears whole or not at all.
 
 mod failure;
-pub mod memory;
 pub mod regular;
 pub mod text;
 pub mod whole;

@@ -2,7 +2,7 @@
 
 mod perspective;
 
-pub use perspective::{Floor, Perspective};
+pub use perspective::Perspective;
 
 use super::geometry::Ray;
 

@@ -1,3 +1,0 @@
-//! Faults that show when a scene is put together.
-
-pub(super) mod scene;
