@@ -59,5 +59,22 @@ macro_rules! codes {
 
 // One line a fault, alphabetical. A page that is missing does not compile.
 codes! {
+    SCENE_BEYOND_NUMBERS = "scene/beyond-numbers";
+    SCENE_CAMERA_LOOKS_ALONG_UP = "scene/camera-looks-along-up";
+    SCENE_CAMERA_LOOKS_NOWHERE = "scene/camera-looks-nowhere";
+    SCENE_CAMERA_TOO_FAR = "scene/camera-too-far";
+    SCENE_CLOSED_LAMP = "scene/closed-lamp";
+    SCENE_ENDLESS_LAMP = "scene/endless-lamp";
+    SCENE_FILM_TOO_LARGE = "scene/film-too-large";
+    SCENE_FLAT_PLACE = "scene/flat-place";
+    SCENE_LOST_TRIANGLES = "scene/lost-triangles";
+    SCENE_NO_AREA = "scene/no-area";
+    SCENE_NOTHING_SHINES = "scene/nothing-shines";
+    SCENE_NOTHING_TO_SEE = "scene/nothing-to-see";
+    SCENE_PLANE_TOO_FAR = "scene/plane-too-far";
+    SCENE_TOO_BRIGHT = "scene/too-bright";
+    SCENE_TOO_MANY_TRIANGLES = "scene/too-many-triangles";
+    SCENE_TOO_SMALL = "scene/too-small";
+    SCENE_UNEVEN_SCALE = "scene/uneven-scale";
     SYNTAX_UNEXPECTED = "syntax/unexpected";
 }

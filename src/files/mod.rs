@@ -4,6 +4,7 @@
 //! bounded before anything is allocated. Whatever goes out appears whole or not at all.
 
 mod failure;
+pub mod memory;
 pub mod regular;
 pub mod text;
 pub mod whole;

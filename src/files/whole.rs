@@ -14,15 +14,10 @@ pub fn write(
 ) -> Result<(), Failure> {
     let path = target(path)?;
     let name = path.file_name().ok_or_else(|| Failure::new("has no file name"))?;
-    let folder = match path.parent() {
-        Some(folder) if folder != Path::new("") => folder,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(&path);
     fs::create_dir_all(folder).map_err(|error| folder_failure(folder, error))?;
 
-    let mut prefix = std::ffi::OsString::from(".");
-    prefix.push(name);
-    let mut beside = beside(&prefix, folder)?;
+    let mut beside = beside(&hidden(name), folder)?;
     let mut writer = BufWriter::new(beside.as_file_mut());
     fill(&mut writer)?;
     writer.flush()?;
@@ -31,6 +26,21 @@ pub fn write(
     beside.as_file().sync_all()?;
     beside.persist(&path).map_err(|error| Failure::from(error.error))?;
     Ok(())
+}
+
+/// Whether [`write`] can be expected to work: makes the folder, and a file beside, which goes away
+/// again.
+pub fn ready(path: &Path) -> Result<(), Failure> {
+    let path = target(path)?;
+    let name = path.file_name().ok_or_else(|| Failure::new("has no file name"))?;
+    let folder = folder_of(&path);
+    fs::create_dir_all(folder).map_err(|error| folder_failure(folder, error))?;
+    beside(&hidden(name), folder).map(drop)
+}
+
+/// Whether there is a folder of that name.
+pub fn is_folder(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|metadata| metadata.is_dir())
 }
 
 /// Where the bytes go: through symbolic links, and only in the place of a regular file.
@@ -43,6 +53,20 @@ fn target(path: &Path) -> Result<PathBuf, Failure> {
         }
         _ => Ok(path),
     }
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// How the name of the file beside begins.
+fn hidden(name: &std::ffi::OsStr) -> std::ffi::OsString {
+    let mut prefix = std::ffi::OsString::from(".");
+    prefix.push(name);
+    prefix
 }
 
 /// A hidden file in the same folder, with the permissions a new file gets there. It goes away by
@@ -98,6 +122,22 @@ mod tests {
         put(&path, b"new").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"new");
         assert_eq!(names(&folder.path().join("out/w01")), ["a.txt"]);
+    }
+
+    #[test]
+    fn readiness_makes_the_folder_and_leaves_nothing_in_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out/a.txt");
+        ready(&path).unwrap();
+        assert!(is_folder(&folder.path().join("out")));
+        assert!(names(&folder.path().join("out")).is_empty());
+        put(&path, b"old").unwrap();
+        ready(&path).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+        assert_eq!(
+            ready(&path.join("b")).unwrap_err().to_string(),
+            format!("needs the folder {}, but a file is in its way", path.display())
+        );
     }
 
     #[test]

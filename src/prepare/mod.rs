@@ -1,1 +1,189 @@
 //! Stage → World: the last place that can fail. The only room that knows scene and render.
+//!
+//! In order: every object is placed in f64 (objects), the box around the bounded ones gives the
+//! map to world space (space), shapes go there in f32 (shapes), and camera, lights, materials and
+//! film become what render knows. Faults are collected all the way.
+
+mod bounds;
+mod camera;
+mod errors;
+mod film;
+mod integrator;
+mod lights;
+mod materials;
+mod objects;
+mod shapes;
+mod space;
+
+use crate::diag::{Diagnostic, Level, Span};
+use crate::load::Stage;
+use crate::math::{NoProgress, Progress};
+use crate::render::geometry::Geometry;
+use crate::render::integrators::Integrator;
+use crate::render::{World, film::Film, lights::Lights};
+
+pub use film::Unfit;
+
+/// What a render is asked beside its scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Factor of columns and rows.
+    pub scale: f64,
+    /// The part of the film that is wanted, in pixels of the scaled film: x0, y0, x1, y1, ends
+    /// not included.
+    pub crop: Option<[u64; 4]>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { scale: 1.0, crop: None }
+    }
+}
+
+impl Settings {
+    /// What about these settings does not suit the film of a stage. To be asked first: it is no
+    /// fault of the scene's, so [`prepare`] has no words for it.
+    pub fn unfit(&self, stage: &Stage) -> Option<Unfit> {
+        film::window(&stage.scene.film, self).err()
+    }
+}
+
+/// A scene, ready to be rendered.
+pub struct Prepared {
+    /// What a ray can meet.
+    pub world: World,
+    /// How light is followed.
+    pub integrator: Integrator,
+    /// The scene's objects: number n of a hit is the n-th here.
+    pub objects: Vec<ObjectNote>,
+    /// What was made of the scene.
+    pub summary: Summary,
+}
+
+/// An object, for reports.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ObjectNote {
+    /// As the author named it.
+    pub name: String,
+    /// Where.
+    pub span: Span,
+    /// Triangles in the world.
+    pub triangles: u64,
+    /// Its part of the geometry's memory, in bytes.
+    pub bytes: u64,
+}
+
+/// What was made of a scene, in numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Summary {
+    /// Triangles in the world; a quad is two.
+    pub triangles: u64,
+    /// Spheres, disks and planes in the world.
+    pub other_shapes: u64,
+    /// Materials in use.
+    pub materials: u64,
+    /// Lights: directional ones and lamps. The background is not counted.
+    pub lights: u64,
+    /// Triangles dropped, since they have no area in single precision.
+    pub slivers: u64,
+    /// Memory of the geometry, in bytes.
+    pub bytes: u64,
+}
+
+/// Everything that [`prepare`] can find wrong, without building the tree.
+pub fn check(stage: &Stage) -> Vec<Diagnostic> {
+    assemble(stage, &Settings::default(), &NoProgress).1
+}
+
+/// The world of a stage. None if there is an error among the diagnostics, or if the settings are
+/// [unfit](Settings::unfit).
+pub fn prepare(
+    stage: &Stage,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> (Option<Prepared>, Vec<Diagnostic>) {
+    let (parts, diagnostics) = assemble(stage, settings, progress);
+    (parts.map(|parts| build(stage, parts)), diagnostics)
+}
+
+/// A world but for the tree over its shapes.
+struct Parts {
+    shapes: shapes::Assembled,
+    materials: materials::Table,
+    lights: lights::Plain,
+    camera: crate::render::cameras::Camera,
+    film: Film,
+    integrator: Integrator,
+    light_unit: f64,
+}
+
+fn assemble(
+    stage: &Stage,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> (Option<Parts>, Vec<Diagnostic>) {
+    let scene = &*stage.scene;
+    let mut found = Vec::new();
+
+    let bodies = objects::place(stage, &mut found);
+    let space = space::Space::around(&bodies, &scene.camera);
+    let light_unit = lights::unit(scene, &bodies, &mut found);
+    let materials = materials::table(&bodies, light_unit);
+    let lights = lights::plain(scene, light_unit);
+    let integrator = integrator::prepare(&scene.integrator);
+    let shapes = shapes::assemble(&bodies, &space, &materials, progress, &mut found);
+    lights::check(scene, &shapes, &lights, &mut found);
+    let window = film::window(&scene.film, settings);
+    film::check(scene, settings, &mut found);
+    let camera = camera::prepare(scene, &bodies, &space, settings, &mut found);
+
+    let faulty = found.iter().any(|diagnostic| diagnostic.level == Level::Error);
+    let (Ok((size, window)), Some(camera), false) = (window, camera, faulty) else {
+        return (None, found);
+    };
+    let film = Film { size, window, filter: film::filter(&scene.film.filter) };
+    let parts = Parts { shapes, materials, lights, camera, film, integrator, light_unit };
+    (Some(parts), found)
+}
+
+fn build(stage: &Stage, parts: Parts) -> Prepared {
+    let shapes::Assembled { shapes, lamps, objects, slivers } = parts.shapes;
+    let other_shapes: u64 = objects.iter().map(|object| object.others).sum();
+    let geometry = Geometry::build(shapes);
+    let mut all = parts.lights.directional;
+    if matches!(parts.integrator, Integrator::Direct(_)) {
+        all.extend(lamps.into_iter().map(|lamp| lamp.light(&geometry, &parts.materials)));
+    }
+    let triangles: u64 = objects.iter().map(|object| object.triangles).sum();
+    let primitives = (triangles + other_shapes).max(1);
+    let bytes = geometry.bytes() as u64;
+    let note = |(object, counted): (&crate::scene::Named<_>, &shapes::Counted)| ObjectNote {
+        name: object.name.value.clone(),
+        span: object.name.span,
+        triangles: counted.triangles,
+        bytes: (u128::from(bytes) * u128::from(counted.triangles + counted.others)
+            / u128::from(primitives)) as u64,
+    };
+    let summary = Summary {
+        triangles,
+        other_shapes,
+        materials: parts.materials.all.len() as u64,
+        lights: all.len() as u64,
+        slivers,
+        bytes,
+    };
+    Prepared {
+        objects: stage.scene.objects.iter().zip(&objects).map(note).collect(),
+        summary,
+        integrator: parts.integrator,
+        world: World {
+            geometry,
+            materials: parts.materials.all,
+            lights: Lights { background: parts.lights.background, all },
+            camera: parts.camera,
+            film: parts.film,
+            sampler: integrator::sampler(&stage.scene.sampler),
+            light_unit: parts.light_unit,
+        },
+    }
+}

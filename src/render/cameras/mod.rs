@@ -2,7 +2,7 @@
 
 mod perspective;
 
-pub use perspective::Perspective;
+pub use perspective::{Floor, Perspective};
 
 use super::geometry::Ray;
 

@@ -20,23 +20,31 @@ pub struct Perspective {
     down: DVec3,
     /// From the film's corner to the axis, in pixels.
     middle: [f64; 2],
-    /// Radius about the origin beyond which there is nothing to meet; infinite for scenes with
-    /// surfaces without end.
+    /// Radius about the origin beyond which there is nothing to meet but floors.
     reach: f64,
+    floors: Vec<Floor>,
+}
+
+/// A plane without end, in f64: it can be met before the rest of the scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Floor {
+    normal: DVec3,
+    /// Distance from the origin along the normal.
+    height: f64,
+}
+
+impl Floor {
+    /// The plane through `point`, square to `normal`, of unit length.
+    pub fn new(point: DVec3, normal: DVec3) -> Self {
+        Self { normal, height: normal.dot(point) }
+    }
 }
 
 impl Perspective {
     /// A camera at `eye` that looks along `forward`, with `up` upwards in the picture; both of
     /// unit length and not parallel. `fov_y`: vertical field of view from edge to edge, in
-    /// radians, inside (0, π). `size`: columns and rows of the whole film. `reach`: as the field.
-    pub fn new(
-        eye: DVec3,
-        forward: DVec3,
-        up: DVec3,
-        fov_y: f64,
-        size: [u64; 2],
-        reach: f64,
-    ) -> Self {
+    /// radians, inside (0, π). `size`: columns and rows of the whole film.
+    pub fn new(eye: DVec3, forward: DVec3, up: DVec3, fov_y: f64, size: [u64; 2]) -> Self {
         let [width, height] = size.map(|n| n as f64);
         let pixel = 2.0 * (0.5 * fov_y).tan() / height;
         let right = forward.cross(up).normalize();
@@ -47,8 +55,15 @@ impl Perspective {
             right: right * pixel,
             down: down * pixel,
             middle: [0.5 * width, 0.5 * height],
-            reach,
+            reach: f64::INFINITY,
+            floors: Vec::new(),
         }
+    }
+
+    /// The same camera for a scene within `reach` of the origin, but for `floors`: its rays begin
+    /// where the scene does. A far eye's rays aim in f64 then, however far it is.
+    pub fn starting(self, reach: f64, floors: Vec<Floor>) -> Self {
+        Self { reach, floors, ..self }
     }
 
     /// The ray through a place on the film.
@@ -56,10 +71,24 @@ impl Perspective {
         let aim =
             self.forward + self.right * (x - self.middle[0]) + self.down * (y - self.middle[1]);
         let direction = aim.normalize();
-        // A far eye is brought to where the scene begins while there are digits to do it with.
-        let empty = -self.eye.dot(direction) - self.reach;
+        let empty = self.empty(direction);
         let origin = if empty > 0.0 { self.eye + direction * empty } else { self.eye };
         Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_max: f32::INFINITY }
+    }
+
+    /// Length of the way from the eye on which there is nothing to meet.
+    fn empty(&self, direction: DVec3) -> f64 {
+        let mut empty = -self.eye.dot(direction) - self.reach;
+        if empty > 0.0 {
+            for floor in &self.floors {
+                let met = (floor.height - floor.normal.dot(self.eye)) / floor.normal.dot(direction);
+                // Short of it by far more than its rounding in the world.
+                if met > 0.0 {
+                    empty = empty.min(0.999 * met);
+                }
+            }
+        }
+        empty
     }
 }
 
@@ -69,7 +98,7 @@ mod tests {
 
     fn camera(fov_deg: f64, size: [u64; 2]) -> Perspective {
         let eye = DVec3::new(0.0, 0.0, 3.0);
-        Perspective::new(eye, DVec3::NEG_Z, DVec3::Y, fov_deg.to_radians(), size, f64::INFINITY)
+        Perspective::new(eye, DVec3::NEG_Z, DVec3::Y, fov_deg.to_radians(), size)
     }
 
     #[test]
@@ -110,11 +139,16 @@ mod tests {
     fn a_far_eye_is_brought_close() {
         let eye = DVec3::new(1e9, 2e9, 3e9);
         let forward = -eye.normalize();
-        let camera = Perspective::new(eye, forward, DVec3::Y, 1e-9, [100, 100], 2.0);
+        let camera = Perspective::new(eye, forward, DVec3::Y, 1e-9, [100, 100]);
+        let camera = camera.starting(2.0, Vec::new());
         // One pixel spans 1e-11 rad · 3.7e9 = 0.037 units where the scene is.
         let (a, b) = (camera.ray(50.0, 50.0), camera.ray(60.0, 50.0));
         let step = (b.origin - a.origin).length();
         assert!(a.origin.length() < 2.01);
         assert!((step / (10.0 * 1e-11 * eye.length() as f32) - 1.0).abs() < 1e-3, "{step}");
+        // A floor in between is not jumped over.
+        let height = DVec3::new(0.0, 1e9, 0.0);
+        let camera = camera.starting(2.0, vec![Floor::new(height, DVec3::Y)]);
+        assert!(camera.ray(50.0, 50.0).origin.y > 1e9);
     }
 }

@@ -1,0 +1,3 @@
+//! Faults that show when a scene is put together.
+
+pub(super) mod scene;

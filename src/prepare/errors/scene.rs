@@ -1,0 +1,166 @@
+//! Family `scene`: each part of a scene is well written, and together they can not be rendered.
+
+use crate::diag::{Code, Diagnostic, Span};
+use crate::scene::At;
+
+/// A camera whose eye is the point it looks at.
+pub fn looks_nowhere(eye: Span, look_at: Span) -> Diagnostic {
+    Diagnostic::error(Code::SCENE_CAMERA_LOOKS_NOWHERE, "the camera looks at the point where it stands")
+        .label(look_at, "this point is in the middle of the picture")
+        .label(eye, "and this is the same point")
+        .why("The direction of view goes from `eye` to `look_at`; between a point and itself there is none.")
+        .help("move `look_at` to something that is to be seen, or the `eye` away from it")
+}
+
+/// A camera that looks along its own up.
+pub fn looks_along_up(up: Span, look: Span) -> Diagnostic {
+    Diagnostic::error(Code::SCENE_CAMERA_LOOKS_ALONG_UP, "the camera looks along its own `up`")
+        .label(up, "up in the picture …")
+        .label(look, "… is the direction the camera looks in, or its opposite")
+        .why("`up` says how the camera is turned about the direction of view; along it, it says nothing.")
+        .help("choose an `up` across the direction of view: `z` or `x` for a camera that looks down or up the y axis")
+}
+
+/// A camera too far away for its rays to aim.
+pub fn too_far_away(eye: Span, radii: f64) -> Diagnostic {
+    Diagnostic::error(Code::SCENE_CAMERA_TOO_FAR, "the camera is too far away to aim at the scene")
+        .label(eye, format!("more than {radii:e} radii of the scene away"))
+        .why("Over such a distance the rounding of directions is as large as what is looked at.")
+        .help("check the unit of these coordinates, or bring the camera closer and narrow its field of view")
+}
+
+/// An overview of nothing.
+pub fn nothing_to_see(camera: Span) -> Diagnostic {
+    Diagnostic::error(Code::SCENE_NOTHING_TO_SEE, "the camera `overview` has nothing to look at")
+        .label(camera, "stands so far from the scene that it sees all of it")
+        .why("It is placed by the box around all bounded objects; there are none, and planes without end have no box.")
+        .help("add an object, or place a camera yourself: `camera: perspective { eye: …, look_at: …, fov_y: … }`")
+}
+
+/// A place that has no inverse.
+pub fn flat_place(name: &At<String>, place: Span) -> Diagnostic {
+    Diagnostic::error(Code::SCENE_FLAT_PLACE, format!("the place of `{}` presses it flat", **name))
+        .label(place, "these steps leave no volume")
+        .why("A scale of zero, along one axis or all, takes every point of an object to one plane, line or point.")
+        .help("scale by what is small instead of zero; for a flat surface take a `quad` or a `disk`")
+}
+
+/// A sphere or disk that would become an ellipsoid or ellipse.
+pub fn uneven_scale(name: &At<String>, place: Span, what: &str) -> Diagnostic {
+    let headline = format!("the {what} `{}` is scaled unevenly", **name);
+    Diagnostic::error(Code::SCENE_UNEVEN_SCALE, headline)
+        .label(place, format!("after these steps it is no {what} any more"))
+        .why(format!("A {what} is met exactly, as what it is, and so has one radius; only meshes, quads and triangles can be stretched."))
+        .help("scale by the same factor along all axes, or use a mesh of that form")
+}
+
+/// A face without area.
+pub fn no_area(name: &At<String>, spans: &[Span], because: &str) -> Diagnostic {
+    let headline = format!("`{}` has no area", **name);
+    let all = spans.iter().skip(1).fold(
+        Diagnostic::error(Code::SCENE_NO_AREA, headline).label(spans[0], because.to_string()),
+        |diagnostic, span| diagnostic.label(*span, "and this"),
+    );
+    all.why("Nothing can be seen of it, and no light can meet it.")
+        .help("move one of its points, or leave the object out")
+}
+
+/// Coordinates that no arithmetic can hold.
+pub fn beyond_numbers(name: &At<String>, object: Span) -> Diagnostic {
+    let headline = format!("`{}` is too large, too small or too far away for numbers", **name);
+    Diagnostic::error(Code::SCENE_BEYOND_NUMBERS, headline)
+        .label(object, "its coordinates or its size, placed, lie outside 1e-40 m to 1e40 m")
+        .why("Areas and volumes are products of coordinates; beyond these bounds they overflow or vanish, even in double precision.")
+        .help("check units, exponents and the factors of `scale`")
+}
+
+/// A plane that lies out of sight.
+pub fn beyond_scene(name: &At<String>) -> Diagnostic {
+    let headline = format!("the plane `{}` is too far from the scene", **name);
+    Diagnostic::error(Code::SCENE_PLANE_TOO_FAR, headline)
+        .label(name.span, "farther away than single precision can tell, as the scene is small")
+        .why("Everything is rendered in units of the scene's size; in these the distance of the plane overflows.")
+        .help("check the unit of the plane's `point`, or leave it out: so far away, nothing of it is seen but its horizon")
+}
+
+/// More triangles than fit the memory.
+pub fn too_many_triangles(count: usize, most: usize) -> Diagnostic {
+    let headline = format!("the scene has {count} triangles, and {most} are too many");
+    Diagnostic::error(Code::SCENE_TOO_MANY_TRIANGLES, headline)
+        .why("A mesh is stored once for every object that shows it; so many triangles need more than 20 GB.")
+        .help("use coarser meshes, or fewer objects")
+}
+
+/// A film that would fill the memory.
+pub fn film_too_large(size_at: Span, size: [u64; 2], bytes: u64, most: u64) -> Diagnostic {
+    let [width, height] = size;
+    let gib = |bytes: u64| bytes.div_ceil(1 << 30);
+    let headline =
+        format!("a picture of {width} × {height} pixels needs {} GiB of memory", gib(bytes));
+    Diagnostic::error(Code::SCENE_FILM_TOO_LARGE, headline)
+        .label(size_at, format!("more than {} GiB", gib(most)))
+        .why("Samples are summed up in double precision, and kept in blocks so that a sum never depends on how the work was shared out.")
+        .help("make the film smaller, or render it in parts: `--crop x0,y0,x1,y1` needs memory for that part alone")
+}
+
+/// A light, an emission or an albedo whose products overflow.
+pub fn too_bright(name: &At<String>, at: Span, what: &str, most: f64) -> Diagnostic {
+    let headline = format!("the {what} `{}` is too large for a picture", **name);
+    Diagnostic::error(Code::SCENE_TOO_BRIGHT, headline)
+        .label(at, format!("more than {most:e}"))
+        .why("A picture holds single-precision numbers, the largest of which is 3.4e38.")
+        .help(
+            "check its unit and its exponent; only ratios of lights matter to how a picture looks",
+        )
+}
+
+/// A lamp that faces every way and is to shine from its centre.
+pub fn closed_lamp(name: &At<String>, area_lights: Span) -> Diagnostic {
+    let headline = format!("the lamp `{}` has no side from which its centre could shine", **name);
+    Diagnostic::error(Code::SCENE_CLOSED_LAMP, headline)
+        .label(name.span, "faces every way: its normals cancel")
+        .label(area_lights, "lets it shine from its centre alone, to the side it faces")
+        .why("As one point a lamp shines by the cosine to its mean normal; a closed surface has none, and its centre lies inside.")
+        .help("write `area_lights: random`, or use a lamp that is open, such as a `quad` or a `disk`")
+}
+
+/// A plane without end that shines.
+pub fn endless_lamp(name: &At<String>) -> Diagnostic {
+    let headline = format!("the plane `{}` shines, and has no end", **name);
+    Diagnostic::error(Code::SCENE_ENDLESS_LAMP, headline)
+        .label(name.span, "a lamp of endless area")
+        .why("`direct` chooses points of a lamp evenly over its area; over an endless one it can not.")
+        .help("use a large `quad` or `disk`, or a `light` of kind `constant` for light from all around")
+}
+
+/// Triangles that single precision can not tell from lines.
+pub fn lost_triangles(name: &At<String>, lost: u64, of: usize) -> Diagnostic {
+    let headline = format!("{lost} of {of} triangles of `{}` are too thin to be seen", **name);
+    Diagnostic::warning(Code::SCENE_LOST_TRIANGLES, headline)
+        .label(name.span, "is rendered without them")
+        .why("Beside the size of the whole scene their corners coincide, or lie on a line, in single precision.")
+        .help("if they matter, leave out what makes the scene so large, or render them in a scene of their own")
+}
+
+/// An object that is a few steps of single precision wide.
+pub fn too_small(name: &At<String>) -> Diagnostic {
+    let headline =
+        format!("`{}` is too small beside the rest of the scene to keep its form", **name);
+    Diagnostic::warning(Code::SCENE_TOO_SMALL, headline)
+        .label(name.span, "less than 16 steps of single precision across")
+        .why("Single precision tells positions apart to one part in 16 million of the distance from the middle of the scene.")
+        .help("check its unit; or leave out what makes the scene so large")
+}
+
+/// Direct light, and nothing that gives any.
+pub fn nothing_shines(integrator: Span) -> Diagnostic {
+    Diagnostic::warning(
+        Code::SCENE_NOTHING_SHINES,
+        "nothing shines on the scene: all surfaces will be black",
+    )
+    .label(integrator, "follows light from lamps and directional lights, and there are none")
+    .why(
+        "A `constant` light is seen behind the scene, and `direct` does not follow it to surfaces.",
+    )
+    .help("add a `light` of kind `directional`, or an object whose material has an `emission`")
+}

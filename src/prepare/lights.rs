@@ -1,0 +1,149 @@
+//! Lights and lamps of the scene → lights of the world, in light units.
+
+use glam::DVec3;
+
+use super::errors::scene as errors;
+use super::materials::{self, in_units};
+use super::objects::Placed;
+use super::shapes::Assembled;
+use crate::diag::{Diagnostic, Span};
+use crate::math::{Rgb, Spectrum};
+use crate::render::geometry::{Geometry, Owner, Primitive};
+use crate::render::lights::{Centre, Directional, Lamp, Light};
+use crate::scene::{self, AreaLights, At, Integrator, Scene};
+
+/// Everything that shines without being a surface.
+pub(super) struct Plain {
+    pub background: Rgb,
+    pub directional: Vec<Light>,
+}
+
+/// Brightest component of a light, of a surface's colour likewise: far enough below the largest
+/// f32 that what a picture holds stays below it.
+const MOST: f64 = 1e37;
+
+/// The unit of light: the power of two at or below the brightest light of the scene.
+pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>) -> f64 {
+    let mut brightest = 0.0_f64;
+    let mut refused: Vec<Span> = Vec::new();
+    let mut largest = |spectrum: Spectrum, span: Span, what: &str, name: &At<String>| {
+        let most = spectrum.components().into_iter().fold(0.0, f64::max);
+        if most > MOST && !refused.contains(&span) {
+            refused.push(span);
+            found.push(errors::too_bright(name, span, what, MOST));
+        }
+        most
+    };
+    for light in &scene.lights {
+        let (shines, span) = match &light.value.value {
+            scene::Light::Constant(constant) => (constant.radiance.0, constant.radiance.span),
+            scene::Light::Directional(sun) => (sun.irradiance.0, sun.irradiance.span),
+        };
+        brightest = brightest.max(largest(shines, span, "light", &light.name));
+    }
+    for material in bodies.iter().flat_map(|body| &body.materials) {
+        let scene::Material::Diffuse(diffuse) = &material.value.value;
+        largest(diffuse.albedo.0, diffuse.albedo.span, "albedo of", &material.name);
+        let emission =
+            largest(diffuse.emission.0, diffuse.emission.span, "emission of", &material.name);
+        brightest = brightest.max(emission);
+    }
+    // Kept where a reciprocal in f32 is a normal number.
+    let exponent =
+        if brightest > 0.0 { brightest.log2().floor().clamp(-120.0, 120.0) } else { 0.0 };
+    2.0_f64.powi(exponent as i32)
+}
+
+/// The lights that are declared as such.
+pub(super) fn plain(scene: &Scene, light_unit: f64) -> Plain {
+    let mut plain = Plain { background: Rgb::BLACK, directional: Vec::new() };
+    for light in &scene.lights {
+        match &light.value.value {
+            scene::Light::Constant(constant) => {
+                plain.background += in_units(constant.radiance.0, light_unit);
+            }
+            scene::Light::Directional(sun) => {
+                let irradiance = in_units(sun.irradiance.0, light_unit);
+                let to_light = -sun.direction.0.as_vec3();
+                if !irradiance.is_black() {
+                    plain
+                        .directional
+                        .push(Light::Directional(Directional { to_light, irradiance }));
+                }
+            }
+        }
+    }
+    plain
+}
+
+/// Surfaces of one object and one emitting material, summed up in world space.
+pub(super) struct LampParts {
+    owner: Owner,
+    surfaces: Vec<Primitive>,
+    area: f64,
+    /// Σ area × centroid.
+    centroid: DVec3,
+    /// Σ area × normal.
+    facing: DVec3,
+    /// Greatest magnitude of each coordinate.
+    reach: DVec3,
+}
+
+/// A lamp whose normals cancel to less than this part of its area faces every way: what is left
+/// of the sum is rounding of its corners.
+const FACES_NOWHERE: f64 = 1e-4;
+
+impl LampParts {
+    pub fn new(owner: Owner) -> Self {
+        Self {
+            owner,
+            surfaces: Vec::new(),
+            area: 0.0,
+            centroid: DVec3::ZERO,
+            facing: DVec3::ZERO,
+            reach: DVec3::ZERO,
+        }
+    }
+
+    /// Adds a surface: its area and centroid, the sum of its normals by area, and the greatest
+    /// magnitude of its coordinates.
+    pub fn add(
+        &mut self,
+        surface: Primitive,
+        area: f64,
+        centroid: DVec3,
+        facing: DVec3,
+        reach: DVec3,
+    ) {
+        self.surfaces.push(surface);
+        self.area += area;
+        self.centroid += area * centroid;
+        self.facing += facing;
+        self.reach = self.reach.max(reach);
+    }
+
+    /// As render knows it.
+    pub fn light(self, geometry: &Geometry, materials: &materials::Table) -> Light {
+        let radiance = materials.all[self.owner.material as usize].emission();
+        let centre = Centre::new(self.centroid / self.area, self.facing, self.reach);
+        Light::Lamp(Lamp::new(radiance, self.surfaces, geometry, centre))
+    }
+}
+
+/// What an integrator asks of lights and does not find.
+pub(super) fn check(scene: &Scene, shapes: &Assembled, plain: &Plain, found: &mut Vec<Diagnostic>) {
+    let Integrator::Direct(direct) = &scene.integrator.value else { return };
+    for lamp in &shapes.lamps {
+        let name = &scene.objects[lamp.owner.object as usize].name;
+        if !lamp.area.is_finite() {
+            found.push(errors::endless_lamp(name));
+        } else if direct.area_lights.value == AreaLights::Center
+            && lamp.facing.length() <= FACES_NOWHERE * lamp.area
+        {
+            found.push(errors::closed_lamp(name, direct.area_lights.span));
+        }
+    }
+    if shapes.lamps.is_empty() && plain.directional.is_empty() {
+        found.push(errors::nothing_shines(scene.integrator.span));
+    }
+}

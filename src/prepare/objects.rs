@@ -1,0 +1,216 @@
+//! Objects, placed in f64: where everything is, in metres.
+
+use glam::{DAffine3, DVec3};
+
+use super::bounds::Bounds;
+use super::errors::scene as errors;
+use crate::diag::{Diagnostic, Span};
+use crate::load::{Stage, StagedMesh};
+use crate::math::{Mesh, Transform};
+use crate::scene::{self, At, Material, Named, Object};
+
+/// An object where it stands.
+pub(super) struct Placed<'a> {
+    /// Its number in the scene.
+    pub number: u32,
+    /// Its name, and where it is said.
+    pub name: &'a At<String>,
+    /// Its surface.
+    pub body: Body<'a>,
+    /// Materials of its slots; all but meshes have one.
+    pub materials: Vec<&'a Named<Material>>,
+}
+
+/// A surface in metres. A mirrored one has its front where the mirror shows it.
+pub(super) enum Body<'a> {
+    /// Triangles of a mesh, and the map from its file to metres.
+    Mesh { mesh: &'a Mesh, to_metres: Transform },
+    /// A flat face of three or four corners, counter-clockwise seen from the front.
+    Face { corners: Vec<DVec3> },
+    /// A sphere.
+    Sphere { centre: DVec3, radius: f64 },
+    /// A disk; `normal` has unit length.
+    Disk { centre: DVec3, normal: DVec3, radius: f64 },
+    /// A plane; `normal` has unit length.
+    Plane { point: DVec3, normal: DVec3 },
+}
+
+/// Coordinates and sizes in metres must lie below this, and sizes above its inverse: their
+/// products of six stay far from the ends of f64.
+const MOST: f64 = 1e40;
+
+/// All objects of a stage that can be placed.
+pub(super) fn place<'a>(stage: &'a Stage, found: &mut Vec<Diagnostic>) -> Vec<Placed<'a>> {
+    let scene = &*stage.scene;
+    let mut all = Vec::new();
+    for ((number, object), mesh) in scene.objects.iter().enumerate().zip(&stage.meshes) {
+        let name = &object.name;
+        let Some(body) = body(name, &object.value, mesh.as_ref(), found) else { continue };
+        let materials = match (&object.value.value, mesh) {
+            (Object::Mesh(_), Some(staged)) => staged.materials.iter().collect(),
+            (other, _) => material(other).map(|m| scene.material(m)).into_iter().collect(),
+        };
+        let placed = Placed { number: number as u32, name, body, materials };
+        if placed.is_within_numbers() {
+            all.push(placed);
+        } else {
+            found.push(errors::beyond_numbers(name, object.value.span));
+        }
+    }
+    all
+}
+
+/// The one material of an object that is no mesh.
+fn material(object: &Object) -> Option<&scene::Ref<Material>> {
+    Some(match object {
+        Object::Disk(disk) => &disk.material,
+        Object::Mesh(_) => return None,
+        Object::Plane(plane) => &plane.material,
+        Object::Quad(quad) => &quad.material,
+        Object::Sphere(sphere) => &sphere.material,
+        Object::Triangle(triangle) => &triangle.material,
+    })
+}
+
+fn body<'a>(
+    name: &At<String>,
+    object: &At<Object>,
+    mesh: Option<&'a StagedMesh>,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Body<'a>> {
+    let mut placing = Placing { name, found };
+    match &object.value {
+        Object::Disk(disk) => {
+            let (place, scale) = placing.evenly(&disk.place, "disk")?;
+            Some(Body::Disk {
+                centre: place.point(disk.center.0),
+                normal: front(place, disk.normal.0),
+                radius: scale * disk.radius.0,
+            })
+        }
+        Object::Mesh(object) => {
+            let place = placing.transform(&object.place)?;
+            let unit = Transform(DAffine3::from_scale(DVec3::splat(object.unit.0)));
+            Some(Body::Mesh { mesh: &mesh?.mesh, to_metres: unit.then(place) })
+        }
+        Object::Plane(plane) => {
+            let place = placing.transform(&plane.place)?;
+            let normal = front(place, plane.normal.0);
+            Some(Body::Plane { point: place.point(plane.point.0), normal })
+        }
+        Object::Quad(quad) => {
+            let place = placing.transform(&quad.place)?;
+            let (corner, u, v) = (quad.corner.0, quad.u.0, quad.v.0);
+            let spans = [quad.u.span, quad.v.span];
+            placing.area(u, v, &spans, "its edges `u` and `v` point the same way")?;
+            placing.face(place, vec![corner, corner + u, corner + u + v, corner + v])
+        }
+        Object::Sphere(sphere) => {
+            let (place, scale) = placing.evenly(&sphere.place, "sphere")?;
+            let centre = place.point(sphere.center.0);
+            Some(Body::Sphere { centre, radius: scale * sphere.radius.0 })
+        }
+        Object::Triangle(triangle) => {
+            let place = placing.transform(&triangle.place)?;
+            let (a, b, c) = (triangle.a.0, triangle.b.0, triangle.c.0);
+            let spans = [triangle.a.span, triangle.b.span, triangle.c.span];
+            placing.area(b - a, c - a, &spans, "its corners lie on one line")?;
+            placing.face(place, vec![a, b, c])
+        }
+    }
+}
+
+/// Where a front normal of unit length goes: still unit length, still on the front.
+fn front(place: Transform, normal: DVec3) -> DVec3 {
+    let turned = place.normal(normal).normalize_or(normal);
+    if place.mirrors() { -turned } else { turned }
+}
+
+/// One object being placed, and what is wrong with it.
+struct Placing<'a> {
+    name: &'a At<String>,
+    found: &'a mut Vec<Diagnostic>,
+}
+
+impl Placing<'_> {
+    /// The steps as one map.
+    fn transform(&mut self, place: &At<scene::Place>) -> Option<Transform> {
+        let transform = place.transform();
+        let fault = if transform.is_invertible() {
+            return Some(transform);
+        } else if transform.0.matrix3.determinant() == 0.0 {
+            errors::flat_place(self.name, place.span)
+        } else {
+            errors::beyond_numbers(self.name, place.span)
+        };
+        self.found.push(fault);
+        None
+    }
+
+    /// The steps as one map that keeps round things round, and its scale.
+    fn evenly(&mut self, place: &At<scene::Place>, what: &str) -> Option<(Transform, f64)> {
+        let transform = self.transform(place)?;
+        let scale = transform.uniform_scale();
+        if scale.is_none() {
+            self.found.push(errors::uneven_scale(self.name, place.span, what));
+        }
+        Some((transform, scale?))
+    }
+
+    /// Refuses a face whose edges from one corner have no area between them, to within the
+    /// rounding of their coordinates.
+    fn area(&mut self, u: DVec3, v: DVec3, spans: &[Span], because: &str) -> Option<()> {
+        let sine = u.normalize_or_zero().cross(v.normalize_or_zero()).length();
+        if sine > 8.0 * f64::EPSILON {
+            return Some(());
+        }
+        self.found.push(errors::no_area(self.name, spans, because));
+        None
+    }
+
+    fn face<'b>(&self, place: Transform, corners: Vec<DVec3>) -> Option<Body<'b>> {
+        let mut corners: Vec<_> = corners.into_iter().map(|corner| place.point(corner)).collect();
+        if place.mirrors() {
+            corners.reverse();
+        }
+        Some(Body::Face { corners })
+    }
+}
+
+impl Placed<'_> {
+    /// The box around it in metres; empty for a plane.
+    pub fn bounds(&self) -> Bounds {
+        match &self.body {
+            Body::Mesh { mesh, to_metres } => {
+                let corners = mesh.triangles.iter().flatten();
+                Bounds::around(corners.map(|i| to_metres.point(mesh.positions[*i as usize])))
+            }
+            Body::Face { corners } => Bounds::around(corners.iter().copied()),
+            Body::Sphere { centre, radius } => {
+                Bounds { min: *centre - *radius, max: *centre + *radius }
+            }
+            Body::Disk { centre, normal, radius } => {
+                let reach =
+                    *radius * (DVec3::ONE - *normal * *normal).max(DVec3::ZERO).map(f64::sqrt);
+                Bounds { min: *centre - reach, max: *centre + reach }
+            }
+            Body::Plane { .. } => Bounds::EMPTY,
+        }
+    }
+
+    fn is_within_numbers(&self) -> bool {
+        let near = |p: DVec3| p.abs().max_element() <= MOST;
+        let size = |r: f64| (1.0 / MOST..=MOST).contains(&r);
+        match &self.body {
+            Body::Sphere { centre, radius } | Body::Disk { centre, radius, .. } => {
+                near(*centre) && size(*radius)
+            }
+            Body::Plane { point, .. } => near(*point),
+            Body::Mesh { .. } | Body::Face { .. } => {
+                let bounds = self.bounds();
+                let extent = 2.0 * bounds.half().max_element();
+                bounds.is_empty() || near(bounds.min) && near(bounds.max) && size(extent)
+            }
+        }
+    }
+}

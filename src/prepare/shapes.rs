@@ -1,0 +1,288 @@
+//! Placed objects → shapes in world space, in single precision, and the lamps among them.
+
+use std::collections::BTreeMap;
+
+use glam::{DVec3, Vec3};
+
+use super::errors::scene as errors;
+use super::lights::LampParts;
+use super::materials::Table;
+use super::objects::{Body, Placed};
+use super::space::Space;
+use crate::diag::Diagnostic;
+use crate::math::{Mesh, Progress, Transform};
+use crate::render::geometry::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
+
+/// What all objects became.
+pub(super) struct Assembled {
+    pub shapes: Shapes,
+    /// In the order of (object, material).
+    pub lamps: Vec<LampParts>,
+    /// One for each object of the scene.
+    pub objects: Vec<Counted>,
+    /// Triangles dropped.
+    pub slivers: u64,
+}
+
+/// What one object became.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counted {
+    pub triangles: u64,
+    /// Spheres, disks and planes.
+    pub others: u64,
+}
+
+/// Least area of a triangle that is kept, in square world units: the least normal f32. Below it
+/// areas, normals and densities lose their digits.
+const LEAST_AREA: f64 = f32::MIN_POSITIVE as f64;
+
+/// Objects smaller than so many steps of single precision at the place where they are have lost
+/// their form.
+const LEAST_STEPS: f64 = 16.0;
+
+/// Puts every body into world space.
+pub(super) fn assemble(
+    bodies: &[Placed],
+    space: &Space,
+    materials: &Table,
+    progress: &dyn Progress,
+    found: &mut Vec<Diagnostic>,
+) -> Assembled {
+    let count = bodies.last().map_or(0, |last| last.number as usize + 1);
+    let mut all = Assembled {
+        shapes: Shapes::new(),
+        lamps: Vec::new(),
+        objects: vec![Counted::default(); count],
+        slivers: 0,
+    };
+    let triangles: usize = bodies.iter().map(|placed| placed.body.triangles()).sum();
+    if triangles >= MOST_TRIANGLES {
+        found.push(errors::too_many_triangles(triangles, MOST_TRIANGLES));
+        return all;
+    }
+    for (done, placed) in bodies.iter().enumerate() {
+        progress.advance(done as u64, bodies.len() as u64);
+        let mut one =
+            One { placed, space, materials, all: &mut all, lamps: BTreeMap::new(), slivers: 0 };
+        one.put(found);
+        let (lamps, slivers) = (one.lamps, one.slivers);
+        all.lamps.extend(lamps.into_values());
+        all.slivers += slivers;
+        if slivers > 0 {
+            found.push(errors::lost_triangles(placed.name, slivers, placed.body.triangles()));
+        } else if !space.tells(placed) {
+            found.push(errors::too_small(placed.name));
+        }
+    }
+    progress.advance(bodies.len() as u64, bodies.len() as u64);
+    all
+}
+
+/// Triangles beyond which a scene is refused: they would need some 20 GB.
+const MOST_TRIANGLES: usize = Shapes::MOST / 8;
+
+impl Body<'_> {
+    fn triangles(&self) -> usize {
+        match self {
+            Self::Mesh { mesh, .. } => mesh.triangles.len(),
+            Self::Face { corners } => corners.len() - 2,
+            _ => 0,
+        }
+    }
+}
+
+impl Space {
+    /// Whether single precision can tell the object's form.
+    fn tells(&self, placed: &Placed) -> bool {
+        let bounds = placed.bounds();
+        if bounds.is_empty() {
+            return true;
+        }
+        let farthest = self.point(bounds.min).abs().max(self.point(bounds.max).abs());
+        let step = farthest.max_element() * f64::from(f32::EPSILON);
+        2.0 * self.length(bounds.half().max_element()) >= LEAST_STEPS * step
+    }
+}
+
+/// One object on its way.
+struct One<'a> {
+    placed: &'a Placed<'a>,
+    space: &'a Space,
+    materials: &'a Table,
+    all: &'a mut Assembled,
+    /// By material.
+    lamps: BTreeMap<u32, LampParts>,
+    slivers: u64,
+}
+
+impl One<'_> {
+    fn put(&mut self, found: &mut Vec<Diagnostic>) {
+        match &self.placed.body {
+            Body::Mesh { mesh, to_metres } => self.mesh(mesh, *to_metres),
+            Body::Face { corners } => {
+                let corners: Vec<_> =
+                    corners.iter().map(|corner| self.space.point(*corner).as_vec3()).collect();
+                let indices: Vec<_> =
+                    corners.iter().map(|corner| self.all.shapes.vertex(*corner)).collect();
+                for i in 1..corners.len() - 1 {
+                    let at = [corners[0], corners[i], corners[i + 1]];
+                    self.triangle(at, [indices[0], indices[i], indices[i + 1]], None, 0);
+                }
+            }
+            Body::Sphere { centre, radius } => {
+                let centre = self.space.point(*centre);
+                let radius = self.space.length(*radius);
+                let shape = Sphere {
+                    centre: centre.as_vec3(),
+                    radius: radius as f32,
+                    owner: self.owner(0),
+                };
+                if self.has_area(radius) {
+                    let primitive = self.all.shapes.sphere(shape);
+                    let area = 4.0 * std::f64::consts::PI * radius * radius;
+                    // It faces every way.
+                    self.shines(
+                        shape.owner,
+                        primitive,
+                        area,
+                        centre,
+                        DVec3::ZERO,
+                        centre.abs() + radius,
+                    );
+                }
+            }
+            Body::Disk { centre, normal, radius } => {
+                let centre = self.space.point(*centre);
+                let radius = self.space.length(*radius);
+                let shape = Disk {
+                    centre: centre.as_vec3(),
+                    normal: normal.as_vec3(),
+                    radius: radius as f32,
+                    owner: self.owner(0),
+                };
+                if self.has_area(radius) {
+                    let primitive = self.all.shapes.disk(shape);
+                    let area = std::f64::consts::PI * radius * radius;
+                    self.shines(
+                        shape.owner,
+                        primitive,
+                        area,
+                        centre,
+                        *normal * area,
+                        centre.abs() + radius,
+                    );
+                }
+            }
+            Body::Plane { point, normal } => {
+                // The point of the plane that is nearest to the middle of the scene.
+                let point = *normal * normal.dot(self.space.point(*point));
+                if point.abs().max_element() > f64::from(f32::MAX) {
+                    found.push(errors::beyond_scene(self.placed.name));
+                    return;
+                }
+                let shape = Plane {
+                    point: point.as_vec3(),
+                    normal: normal.as_vec3(),
+                    owner: self.owner(0),
+                };
+                let primitive = self.all.shapes.plane(shape);
+                self.count().others += 1;
+                let endless = f64::INFINITY;
+                self.shines(shape.owner, primitive, endless, point, *normal, point.abs());
+            }
+        }
+    }
+
+    fn mesh(&mut self, mesh: &Mesh, to_metres: Transform) {
+        const UNUSED: u32 = u32::MAX;
+        let mut corners = vec![(UNUSED, Vec3::ZERO); mesh.positions.len()];
+        let mut normals = vec![UNUSED; mesh.normals.len()];
+        let mirrors = to_metres.mirrors();
+        for (number, triangle) in mesh.triangles.iter().enumerate() {
+            let mut at = triangle.map(|i| {
+                let (index, position) = &mut corners[i as usize];
+                if *index == UNUSED {
+                    let metres = to_metres.point(mesh.positions[i as usize]);
+                    *position = self.space.point(metres).as_vec3();
+                    *index = self.all.shapes.vertex(*position);
+                }
+                (*index, *position)
+            });
+            let of_corners = mesh.normal_indices.get(number).copied();
+            let given = of_corners.filter(|of| !of.contains(&Mesh::NO_NORMAL));
+            let mut smooth = given.map(|of| {
+                of.map(|i| {
+                    let index = &mut normals[i as usize];
+                    if *index == UNUSED {
+                        let turned = to_metres.normal(mesh.normals[i as usize]);
+                        let front = if mirrors { -turned } else { turned };
+                        *index = self.all.shapes.normal(front.normalize_or_zero().as_vec3());
+                    }
+                    *index
+                })
+            });
+            if mirrors {
+                at.swap(1, 2);
+                smooth = smooth.map(|[a, b, c]| [a, c, b]);
+            }
+            let slot = mesh.slots.get(number).copied().unwrap_or(0) as usize;
+            self.triangle(at.map(|(_, p)| p), at.map(|(i, _)| i), smooth, slot);
+        }
+    }
+
+    /// Adds a triangle unless it has no area.
+    fn triangle(
+        &mut self,
+        at: [Vec3; 3],
+        corners: [u32; 3],
+        normals: Option<[u32; 3]>,
+        slot: usize,
+    ) {
+        // Differences and products of f32 are exact in f64, so no area is exactly no area.
+        let [a, b, c] = at.map(|corner| corner.as_dvec3());
+        let facing = 0.5 * (b - a).cross(c - a);
+        let area = facing.length();
+        // Not less: a NaN has no area either.
+        if !(area >= LEAST_AREA) {
+            self.slivers += 1;
+            return;
+        }
+        let owner = self.owner(slot);
+        let primitive = self.all.shapes.triangle(Triangle { corners, normals, owner });
+        self.count().triangles += 1;
+        let reach = a.abs().max(b.abs()).max(c.abs());
+        self.shines(owner, primitive, area, (a + b + c) / 3.0, facing, reach);
+    }
+
+    /// Counts a round shape, if it has an area that single precision can tell.
+    fn has_area(&mut self, radius: f64) -> bool {
+        let kept = radius * radius >= LEAST_AREA;
+        self.count().others += u64::from(kept);
+        kept
+    }
+
+    /// Adds a surface to the lamp it belongs to, if its material shines.
+    fn shines(
+        &mut self,
+        owner: Owner,
+        primitive: Primitive,
+        area: f64,
+        centroid: DVec3,
+        facing: DVec3,
+        reach: DVec3,
+    ) {
+        if self.materials.shines(owner.material) {
+            let lamp = self.lamps.entry(owner.material).or_insert_with(|| LampParts::new(owner));
+            lamp.add(primitive, area, centroid, facing, reach);
+        }
+    }
+
+    fn owner(&self, slot: usize) -> Owner {
+        let number = self.placed.number;
+        Owner { object: number, material: self.materials.number(number, slot) }
+    }
+
+    fn count(&mut self) -> &mut Counted {
+        &mut self.all.objects[self.placed.number as usize]
+    }
+}

@@ -1,0 +1,99 @@
+//! World space: the scene, moved to the middle of its bounding box and scaled by a power of two
+//! to fit about [-1, 1].
+//!
+//! So single precision is spent where the scene is, wherever and however large its author made
+//! it; a scene scaled by a power of two becomes the same world, bit by bit.
+
+use glam::DVec3;
+
+use super::bounds::Bounds;
+use super::objects::{Body, Placed};
+use crate::scene;
+
+/// The map from metres to world units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Space {
+    centre: DVec3,
+    /// A power of two.
+    scale: f64,
+    /// From the middle of the box of all bounded objects to its corners, in world units.
+    half: DVec3,
+}
+
+impl Space {
+    /// The space of a scene's objects. Where none is bounded, points of the others and the camera
+    /// stand in for them.
+    pub fn around(bodies: &[Placed], camera: &scene::Camera) -> Self {
+        let bounded = bodies.iter().map(Placed::bounds).fold(Bounds::EMPTY, Bounds::union);
+        if !bounded.is_empty() {
+            return Self::of(bounded);
+        }
+        let planes = bodies.iter().filter_map(|body| match body.body {
+            Body::Plane { point, .. } => Some(point),
+            _ => None,
+        });
+        let eye = match camera {
+            scene::Camera::Perspective(camera) => Some(camera.eye.0),
+            scene::Camera::Overview(_) => None,
+        };
+        let stand_in = Bounds::around(planes.chain(eye));
+        let space = if stand_in.is_empty() {
+            Self { centre: DVec3::ZERO, scale: 1.0, half: DVec3::ZERO }
+        } else {
+            Self::of(stand_in)
+        };
+        Self { half: DVec3::ZERO, ..space }
+    }
+
+    fn of(bounds: Bounds) -> Self {
+        let half = bounds.half();
+        let scale = power_of_two_over(half.max_element());
+        Self { centre: bounds.centre(), scale, half: half * scale }
+    }
+
+    /// A point.
+    pub fn point(&self, metres: DVec3) -> DVec3 {
+        (metres - self.centre) * self.scale
+    }
+
+    /// A length.
+    pub fn length(&self, metres: f64) -> f64 {
+        metres * self.scale
+    }
+
+    /// Half the diagonal of the box around all bounded objects, in world units; 0 for none.
+    pub fn radius(&self) -> f64 {
+        self.half.length()
+    }
+}
+
+/// 2ⁿ such that x · 2ⁿ is in [1/2, 1); 1 for what has no such n.
+fn power_of_two_over(x: f64) -> f64 {
+    const BIAS: i64 = 1023;
+    let exponent = (x.to_bits() >> 52 & 0x7ff) as i64 - BIAS;
+    // Sizes near the ends of f64 are refused elsewhere; here they must only do no harm.
+    if x > 0.0 && x.is_finite() {
+        2.0_f64.powi(-(exponent.clamp(-900, 900) as i32) - 1)
+    } else {
+        1.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_are_brought_to_one_by_powers_of_two() {
+        for x in [1e-300, 1e-9, 0.3, 0.5, 1.0, 7.0, 1e7, 1e200] {
+            let scaled = x * power_of_two_over(x);
+            assert!((0.5..1.0).contains(&scaled), "{x} became {scaled}");
+            assert_eq!(power_of_two_over(x).to_bits() & ((1 << 52) - 1), 0);
+        }
+        assert_eq!(power_of_two_over(0.0), 1.0);
+        let bounds = Bounds { min: DVec3::new(99.0, -1.0, 0.0), max: DVec3::new(101.0, 3.0, 0.0) };
+        let space = Space::of(bounds);
+        assert_eq!(space.point(DVec3::new(101.0, 3.0, 0.0)), DVec3::new(0.25, 0.5, 0.0));
+        assert_eq!(space.length(4.0), 1.0);
+    }
+}
