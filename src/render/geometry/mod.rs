@@ -5,6 +5,8 @@
 //! There is no epsilon in scene units anywhere: every tolerance follows from float arithmetic
 //! (rounding.rs has the derivation).
 
+mod block;
+mod build;
 mod disk;
 mod plane;
 mod ray;
@@ -12,6 +14,7 @@ mod rounding;
 mod sample;
 mod shapes;
 mod sphere;
+mod tree;
 mod triangle;
 
 use glam::Vec3;
@@ -21,6 +24,7 @@ pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 
 use ray::Probe;
 use shapes::Kind;
+use tree::{Best, Tree};
 
 /// An axis-aligned box, in world units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,45 +54,44 @@ impl Bounds {
 /// The shapes of a scene, ready to be met by rays.
 pub struct Geometry {
     shapes: Shapes,
+    tree: Tree,
+    bounds: Bounds,
 }
 
 impl Geometry {
     /// Never fails: a shape without area is never met, and does no harm.
     pub fn build(shapes: Shapes) -> Self {
-        Self { shapes }
+        Self { tree: Tree::build(&shapes), bounds: shapes.bounds(), shapes }
     }
 
     /// The first surface the ray meets at t in (0, `t_max`). At equal t the least primitive.
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
         let probe = Probe::new(ray);
-        let mut best: Option<(f32, Primitive)> = None;
-        for primitive in self.shapes.primitives() {
-            if let Some(t) = self.meet(&probe, primitive)
-                && t < ray.t_max
-                && best.is_none_or(|b| (t, primitive) < b)
-            {
-                best = Some((t, primitive));
-            }
-        }
-        best.map(|(t, primitive)| self.hit(&probe, t, primitive))
+        let mut best = Best { t: ray.t_max, primitive: None };
+        self.meet_planes(&probe, &mut best);
+        self.tree.walk::<false>(&self.shapes, &probe, &mut best);
+        best.primitive.map(|primitive| self.hit(&probe, best.t, primitive))
     }
 
     /// Whether the ray meets any surface at t in (0, `t_max`).
     pub fn occluded(&self, ray: &Ray) -> bool {
         let probe = Probe::new(ray);
-        self.shapes
-            .primitives()
-            .any(|primitive| self.meet(&probe, primitive).is_some_and(|t| t < ray.t_max))
+        let mut best = Best { t: ray.t_max, primitive: None };
+        self.meet_planes(&probe, &mut best);
+        if best.primitive.is_none() {
+            self.tree.walk::<true>(&self.shapes, &probe, &mut best);
+        }
+        best.primitive.is_some()
     }
 
     /// The box around everything bounded; infinite planes don't count.
     pub fn bounds(&self) -> Bounds {
-        self.shapes.bounds()
+        self.bounds
     }
 
     /// Memory held, in bytes.
     pub fn bytes(&self) -> usize {
-        self.shapes.bytes()
+        self.shapes.bytes() + self.tree.bytes()
     }
 
     /// The shapes it was built from.
@@ -96,14 +99,12 @@ impl Geometry {
         &self.shapes
     }
 
-    /// The parameter t > 0 at which the ray meets the primitive.
-    fn meet(&self, probe: &Probe, primitive: Primitive) -> Option<f32> {
-        let index = primitive.index();
-        match primitive.kind() {
-            Kind::Triangle => triangle::meet(probe, self.shapes.corners(index)),
-            Kind::Sphere => sphere::meet(probe, &self.shapes.spheres[index]),
-            Kind::Disk => disk::meet(probe, &self.shapes.disks[index]),
-            Kind::Plane => plane::meet(probe, &self.shapes.planes[index]),
+    /// Planes have no box: each ray asks them all.
+    fn meet_planes(&self, probe: &Probe, best: &mut Best) {
+        for (index, plane) in self.shapes.planes.iter().enumerate() {
+            if let Some(t) = plane::meet(probe, plane) {
+                best.offer(t, Primitive::new(Kind::Plane, index));
+            }
         }
     }
 

@@ -117,15 +117,53 @@ pub fn between(from: &Point, to: &Point) -> Ray {
     Ray { origin, direction: direction.as_vec3(), t_max: (length as f32).next_down().max(0.0) }
 }
 
-/// A ray as the shapes want it: in f64, where f32 coordinates and their differences are exact.
+/// A ray as the shapes want it: in f64, where f32 coordinates and their differences are exact, and
+/// in f32 for the quick tests.
 pub(super) struct Probe {
     pub origin: DVec3,
     pub direction: DVec3,
+    /// The axis along which the direction is longest: the depth of the triangles' test.
+    pub axis: usize,
+    /// Slope of the direction along the two axes after `axis`, as the depth grows; at most ±1.
+    pub shear: [f64; 2],
+    /// The origin in f32.
+    pub near_origin: Vec3,
+    /// The shear in f32, and the parameter per unit of depth.
+    pub near_shear: [f32; 3],
+    /// 1 over the direction, each coordinate finite.
+    pub inverse: Vec3,
 }
 
 impl Probe {
+    #[inline]
     pub fn new(ray: &Ray) -> Self {
-        Self { origin: ray.origin.as_dvec3(), direction: ray.direction.as_dvec3() }
+        let direction = ray.direction.as_dvec3();
+        let axis = direction.abs().max_position();
+        let depth = direction[axis];
+        let shear = [direction[(axis + 1) % 3] / depth, direction[(axis + 2) % 3] / depth];
+        Self {
+            origin: ray.origin.as_dvec3(),
+            direction,
+            axis,
+            shear,
+            near_origin: ray.origin,
+            near_shear: [shear[0] as f32, shear[1] as f32, (1.0 / depth) as f32],
+            inverse: ray.direction.map(inverse),
+        }
+    }
+}
+
+/// 1/d, kept finite: a coordinate within ±2⁻¹⁰⁰ stands for one of 2⁻¹⁰⁰, which moves the ray by less
+/// than boxes are padded. −0 goes the same way as +0.
+#[inline]
+fn inverse(d: f32) -> f32 {
+    const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
+    if d.abs() >= LEAST {
+        1.0 / d
+    } else if d < 0.0 {
+        -1.0 / LEAST
+    } else {
+        1.0 / LEAST
     }
 }
 

@@ -25,8 +25,8 @@ impl Geometry {
         let index = primitive.index();
         match primitive.kind() {
             Kind::Triangle => {
-                let corners = self.shapes.corners(index);
-                let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+                let corners = self.shapes.corners(index).map(|corner| corner.as_dvec3());
+                let [a, b, c] = corners;
                 let weights = warp::square_to_triangle(u).as_dvec2();
                 let exact = a + weights.x * (b - a) + weights.y * (c - a);
                 let magnitude = a.abs() + b.abs() + c.abs();

@@ -77,9 +77,18 @@ pub(super) enum Kind {
 const KIND_SHIFT: u32 = 30;
 
 impl Primitive {
-    fn new(kind: Kind, index: usize) -> Self {
+    pub(super) fn new(kind: Kind, index: usize) -> Self {
         assert!(index < Shapes::MOST, "prepare counts its shapes");
         Self((kind as u32) << KIND_SHIFT | index as u32)
+    }
+
+    /// As a number; the inverse of `from_bits`.
+    pub(super) fn bits(self) -> u32 {
+        self.0
+    }
+
+    pub(super) fn from_bits(bits: u32) -> Self {
+        Self(bits)
     }
 
     pub(super) fn kind(self) -> Kind {

@@ -9,45 +9,52 @@ use super::shapes::Shapes;
 
 /// Twice the signed areas of the three parts into which the ray cuts the triangle, seen along the
 /// ray; they are the barycentric weights, not yet divided by their sum.
-fn parts(probe: &Probe, corners: [Vec3; 3]) -> DVec3 {
-    let axis = probe.direction.abs().max_position();
-    let (x, y) = ((axis + 1) % 3, (axis + 2) % 3);
-    let d = probe.direction;
-    let shear = (d[x] / d[axis], d[y] / d[axis]);
+///
+/// In f64 the corners relative to the origin are exact or nearly, and two triangles compute the
+/// same numbers on the edge they share. A difference of rounded products is of the right sign or
+/// zero, since rounding keeps order; zero counts as inside. So no gap is left between them.
+fn parts(probe: &Probe, corners: [DVec3; 3]) -> DVec3 {
+    let z = probe.axis;
+    let (x, y) = ((z + 1) % 3, (z + 2) % 3);
     let [a, b, c] = corners.map(|corner| {
-        let p = corner.as_dvec3() - probe.origin;
-        (p[x] - shear.0 * p[axis], p[y] - shear.1 * p[axis])
+        let p = corner - probe.origin;
+        (p[x] - probe.shear[0] * p[z], p[y] - probe.shear[1] * p[z])
     });
     DVec3::new(c.0 * b.1 - c.1 * b.0, a.0 * c.1 - a.1 * c.0, b.0 * a.1 - b.1 * a.0)
 }
 
 /// Normal by the corners' order, not of unit length. Differences of f32 fit f64, and so mostly do
 /// their products: slivers have normals too.
-pub(super) fn normal(corners: [Vec3; 3]) -> DVec3 {
-    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+pub(super) fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
     (b - a).cross(c - a)
 }
 
-/// The parameter t > 0 at which the ray meets the triangle, edges included.
-pub(super) fn meet(probe: &Probe, corners: [Vec3; 3]) -> Option<f32> {
-    let parts = parts(probe, corners);
-    if parts.min_element() < 0.0 && parts.max_element() > 0.0 {
-        return None;
+/// The parameter t > 0 at which the ray meets the triangle, edges included; `inside` if it is known
+/// to pass inside of the edges.
+///
+/// It comes from the plane of the triangle, so that its sign says on which side the origin is: a
+/// ray that leaves the triangle never comes back to it.
+pub(super) fn meet(probe: &Probe, corners: [DVec3; 3], inside: bool) -> Option<f32> {
+    if !inside {
+        let parts = parts(probe, corners);
+        if parts.min_element() < 0.0 && parts.max_element() > 0.0 {
+            return None;
+        }
     }
     let normal = normal(corners);
-    let t = normal.dot(corners[0].as_dvec3() - probe.origin) / normal.dot(probe.direction);
+    let t = normal.dot(corners[0] - probe.origin) / normal.dot(probe.direction);
     (t > 0.0 && t.is_finite()).then_some(t as f32)
 }
 
 /// The place where the ray meets it.
 pub(super) fn surface(probe: &Probe, shapes: &Shapes, index: usize) -> Surface {
-    let corners = shapes.corners(index);
+    let corners = shapes.corners(index).map(|corner| corner.as_dvec3());
     let parts = parts(probe, corners);
     let sum = parts.element_sum();
     // The ray may pass outside by rounding: the nearest weights inside stand for it.
     let weights = if sum != 0.0 { (parts / sum).max(DVec3::ZERO) } else { DVec3::ONE };
     let weights = weights / weights.element_sum();
-    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    let [a, b, c] = corners;
     let exact = weights.x * a + weights.y * b + weights.z * c;
     let (position, error) = rounding::position(exact, a.abs() + b.abs() + c.abs());
     let ng = normal(corners).normalize_or(DVec3::Z);
@@ -74,5 +81,5 @@ pub(super) fn bounds(corners: [Vec3; 3]) -> Bounds {
 
 /// In square world units.
 pub(super) fn area(corners: [Vec3; 3]) -> f64 {
-    normal(corners).length() / 2.0
+    normal(corners.map(|corner| corner.as_dvec3())).length() / 2.0
 }
