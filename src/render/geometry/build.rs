@@ -74,7 +74,7 @@ fn cluster(items: &[Item]) -> Bvh2 {
         .map(|(number, item)| {
             let min = (item.bounds.min.as_dvec3() - low) * scale;
             let max = (item.bounds.max.as_dvec3() - low) * scale;
-            let luck = f64::from(random::unit_f32(random::mix(number) as u32));
+            let [luck, _] = random::unit_pair(random::mix(number));
             let noise = luck * (NOISE * (max - min).max_element() + NOISE_OF_POINTS);
             let place = |p: DVec3| {
                 let p = p.as_vec3a();

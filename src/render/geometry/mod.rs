@@ -17,6 +17,9 @@ mod sphere;
 mod tree;
 mod triangle;
 
+#[cfg(test)]
+mod tests;
+
 use glam::Vec3;
 
 pub use ray::{Hit, Point, Ray, between};
@@ -66,6 +69,9 @@ impl Geometry {
 
     /// The first surface the ray meets at t in (0, `t_max`). At equal t the least primitive.
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
+        if !ray.is_sound() {
+            return None;
+        }
         let probe = Probe::new(ray);
         let mut best = Best { t: ray.t_max, primitive: None };
         self.meet_planes(&probe, &mut best);
@@ -75,6 +81,9 @@ impl Geometry {
 
     /// Whether the ray meets any surface at t in (0, `t_max`).
     pub fn occluded(&self, ray: &Ray) -> bool {
+        if !ray.is_sound() {
+            return false;
+        }
         let probe = Probe::new(ray);
         let mut best = Best { t: ray.t_max, primitive: None };
         self.meet_planes(&probe, &mut best);

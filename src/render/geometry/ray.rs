@@ -21,6 +21,11 @@ impl Ray {
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
         Self { origin, direction, t_max: f32::INFINITY }
     }
+
+    /// Whether it is a ray at all: one that is not meets nothing.
+    pub(super) fn is_sound(&self) -> bool {
+        self.origin.is_finite() && self.direction.is_finite() && self.direction != Vec3::ZERO
+    }
 }
 
 /// A point of a surface, and how far it may be off it.
@@ -41,7 +46,7 @@ impl Point {
     }
 
     /// The origin of a ray that leaves along `direction` (any length): the point itself, moved
-    /// along ±`ng` to where it is certainly on the side the ray goes to [PBRT4, ch. 6.8.6].
+    /// along ±`ng` to where it is certainly on the side the ray goes to [Pharr23, ch. 6.8].
     pub fn leave(&self, direction: Vec3) -> Vec3 {
         let distance = self.ng.abs().dot(self.error);
         let offset = if direction.dot(self.ng) < 0.0 { -distance } else { distance } * self.ng;

@@ -21,8 +21,8 @@ const WIDEN: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// Most nodes on the way from the root to a leaf; build keeps to it.
 pub(super) const DEEPEST: usize = 40;
 
-/// Each node on the way leaves at most three children waiting.
-const STACK: usize = DEEPEST * (LANES - 1);
+/// Each node on the way leaves at most three children waiting; the last is left with four.
+const STACK: usize = DEEPEST * (LANES - 1) + 1;
 
 /// What a node's lane leads to: two bits of kind, thirty of number. Spheres and disks stand for
 /// themselves, numbered as primitives are.

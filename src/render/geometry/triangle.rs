@@ -37,7 +37,9 @@ pub(super) fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
 pub(super) fn meet(probe: &Probe, corners: [DVec3; 3], inside: bool) -> Option<f32> {
     if !inside {
         let parts = parts(probe, corners);
-        if parts.min_element() < 0.0 && parts.max_element() > 0.0 {
+        let mixed = parts.min_element() < 0.0 && parts.max_element() > 0.0;
+        // Seen edge on, or too small to be seen: those around it are met.
+        if mixed || parts == DVec3::ZERO {
             return None;
         }
     }

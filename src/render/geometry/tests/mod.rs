@@ -1,0 +1,35 @@
+//! What geometry promises, tried on shapes made in code. Every run draws the same numbers.
+
+mod agreement;
+mod extremes;
+mod leaving;
+mod meshes;
+mod sampling;
+mod watertight;
+
+use glam::{DVec3, Vec3};
+
+use super::{Geometry, Primitive, Ray};
+
+/// The first meeting by asking every shape, without a tree.
+fn by_hand(geometry: &Geometry, ray: &Ray) -> Option<(f32, Primitive)> {
+    let probe = super::Probe::new(ray);
+    let shapes = geometry.shapes();
+    let meet = |p: Primitive| match p.kind() {
+        super::Kind::Triangle => {
+            let corners = shapes.corners(p.index()).map(|c| c.as_dvec3());
+            super::triangle::meet(&probe, corners, false)
+        }
+        super::Kind::Sphere => super::sphere::meet(&probe, &shapes.spheres[p.index()]),
+        super::Kind::Disk => super::disk::meet(&probe, &shapes.disks[p.index()]),
+        super::Kind::Plane => super::plane::meet(&probe, &shapes.planes[p.index()]),
+    };
+    let all = shapes.primitives().filter_map(|p| Some((meet(p)?, p)));
+    all.filter(|(t, _)| *t < ray.t_max).min_by(|a, b| a.partial_cmp(b).unwrap())
+}
+
+/// A ray from one place towards another, and the distance between them.
+fn towards(origin: Vec3, target: DVec3) -> (Ray, f64) {
+    let way = target - origin.as_dvec3();
+    (Ray::new(origin, way.normalize().as_vec3()), way.length())
+}
