@@ -59,6 +59,42 @@ macro_rules! codes {
 
 // One line a fault, alphabetical. A page that is missing does not compile.
 codes! {
+    FILE_OUTSIDE_FOLDER = "file/outside-folder";
+    FILE_UNREADABLE = "file/unreadable";
+    MESH_BAD_INDEX = "mesh/bad-index";
+    MESH_BAD_NUMBER = "mesh/bad-number";
+    MESH_CONCAVE_FACE = "mesh/concave-face";
+    MESH_DEGENERATE_TRIANGLES = "mesh/degenerate-triangles";
+    MESH_MISSING_MATERIAL = "mesh/missing-material";
+    MESH_MISSING_NAME = "mesh/missing-name";
+    MESH_MIXED_NORMALS = "mesh/mixed-normals";
+    MESH_NO_FACES = "mesh/no-faces";
+    MESH_NO_MATERIAL = "mesh/no-material";
+    MESH_NOT_RENDERED = "mesh/not-rendered";
+    MESH_NOT_WAVEFRONT = "mesh/not-wavefront";
+    MESH_REPEATED_TRIANGLES = "mesh/repeated-triangles";
+    MESH_SMOOTHING_GROUP = "mesh/smoothing-group";
+    MESH_TOO_FEW_CORNERS = "mesh/too-few-corners";
+    MESH_TOO_FEW_NUMBERS = "mesh/too-few-numbers";
+    MESH_TOO_MANY_NAMES = "mesh/too-many-names";
+    MESH_TWO_REPLACEMENTS = "mesh/two-replacements";
+    MESH_UNKNOWN_MATERIAL = "mesh/unknown-material";
+    MESH_UNKNOWN_STATEMENT = "mesh/unknown-statement";
+    MESH_ZERO_NORMAL = "mesh/zero-normal";
+    MTL_ABOVE_ONE = "mtl/above-one";
+    MTL_AMBIENT = "mtl/ambient";
+    MTL_BAD_ILLUM = "mtl/bad-illum";
+    MTL_BAD_NUMBER = "mtl/bad-number";
+    MTL_BEFORE_NEWMTL = "mtl/before-newmtl";
+    MTL_MISSING_NAME = "mtl/missing-name";
+    MTL_NEGATIVE = "mtl/negative";
+    MTL_NO_COLOUR = "mtl/no-colour";
+    MTL_NOT_RENDERED = "mtl/not-rendered";
+    MTL_NOT_WAVEFRONT = "mtl/not-wavefront";
+    MTL_OTHER_COLOUR = "mtl/other-colour";
+    MTL_SAME_NAME = "mtl/same-name";
+    MTL_UNKNOWN_STATEMENT = "mtl/unknown-statement";
+    MTL_WRONG_COUNT = "mtl/wrong-count";
     SCENE_BEYOND_NUMBERS = "scene/beyond-numbers";
     SCENE_CAMERA_LOOKS_ALONG_UP = "scene/camera-looks-along-up";
     SCENE_CAMERA_LOOKS_NOWHERE = "scene/camera-looks-nowhere";

@@ -5,11 +5,14 @@
 
 mod failure;
 pub mod memory;
+mod lines;
 pub mod regular;
 pub mod text;
 pub mod whole;
 pub mod exr;
 pub mod png;
+pub mod obj;
+pub mod mtl;
 
 pub use failure::Failure;
 

@@ -42,6 +42,24 @@ pub fn identity(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
 }
 
+/// The names of the files beside `path`, for guessing which one was meant; at most a thousand.
+pub fn neighbours(path: &Path) -> Vec<String> {
+    const MOST: usize = 1000;
+    let folder = match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
+    };
+    let Ok(entries) = fs::read_dir(folder) else { return Vec::new() };
+    let mut names: Vec<String> = entries
+        .take(MOST)
+        .flatten()
+        .filter(|entry| entry.file_type().is_ok_and(|kind| kind.is_file()))
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .collect();
+    names.sort();
+    names
+}
+
 /// Opens for reading without waiting for the other end of a pipe.
 fn open_unblocked(path: &Path) -> Result<File, Failure> {
     let mut options = File::options();

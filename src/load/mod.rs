@@ -1,5 +1,15 @@
 //! Scene → Stage: every file a scene names, read once into plain data.
 
+mod errors;
+mod files;
+mod loader;
+mod materials;
+mod meshes;
 mod stage;
+mod tidy;
 
+pub use loader::Loader;
 pub use stage::{SceneHash, Stage, StagedFile, StagedMesh};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,1 @@
+//! Texts of .mtl files, good and bad.

@@ -1,0 +1,466 @@
+//! Checks every statement of an .obj file, and hands the clean ones to tobj as it asks for them.
+//!
+//! The clean text holds `v`, `vn` and `f` alone, with indices that count from 1, each face
+//! beginning at the corner its fan begins with. Materials stay here: all faces are one model.
+
+use std::collections::HashMap;
+use std::io::{self, BufRead, Read, Write};
+use std::ops::Range;
+
+use glam::DVec3;
+
+use super::assemble::Triangles;
+use super::faults::{Fault, Notice, Of, Unread, What};
+use super::{Excerpt, fan};
+use crate::files::lines::{self, Line, Lines};
+use crate::math::Progress;
+
+/// The most faults that are told one by one.
+const TOLD: usize = 20;
+/// The most unknown words that are told one by one.
+const UNKNOWN_TOLD: usize = 10;
+/// The most .mtl files one .obj file may name.
+const MOST_LIBRARIES: usize = 32;
+/// The most materials one .obj file may use.
+const MOST_MATERIALS: usize = 100_000;
+/// Clean text is made in pieces of about so many bytes.
+const PIECE: usize = 1 << 16;
+/// The largest coordinate, in file units: beyond it products of four overflow in mixed company.
+pub const FARTHEST: f64 = 1e30;
+
+/// What the scan found.
+pub(super) struct Found {
+    pub faults: Vec<Fault>,
+    pub more: u64,
+    pub notices: Vec<Notice>,
+    pub triangles: Triangles,
+    pub slots: Vec<(String, Excerpt)>,
+    pub libraries: Vec<(String, Excerpt)>,
+    /// Statements of the format, and others.
+    pub understood: u64,
+    pub unknown: u64,
+}
+
+/// A corner of a face, counted from zero.
+#[derive(Clone, Copy)]
+struct Corner {
+    vertex: usize,
+    normal: Option<usize>,
+}
+
+/// A reader of clean text.
+pub(super) struct Scan<'a> {
+    bytes: &'a [u8],
+    progress: &'a dyn Progress,
+    lines: Lines<'a>,
+    words: Vec<Range<usize>>,
+    corners: Vec<Corner>,
+    fan: Vec<DVec3>,
+    clean: Vec<u8>,
+    taken: usize,
+    positions: Vec<DVec3>,
+    textures: usize,
+    normals: usize,
+    /// The largest index of each kind that was ahead of its time.
+    ahead: [i64; 3],
+    slot: Option<u32>,
+    slots_by_name: HashMap<String, u32>,
+    named: Option<(String, Line, Range<usize>)>,
+    smooth: Option<Excerpt>,
+    found: Found,
+}
+
+impl<'a> Scan<'a> {
+    pub fn new(bytes: &'a [u8], progress: &'a dyn Progress) -> Self {
+        let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        Self {
+            bytes: text,
+            progress,
+            lines: Lines::new(text),
+            words: Vec::new(),
+            corners: Vec::new(),
+            fan: Vec::new(),
+            clean: Vec::new(),
+            taken: 0,
+            positions: Vec::new(),
+            textures: 0,
+            normals: 0,
+            ahead: [0; 3],
+            slot: None,
+            slots_by_name: HashMap::new(),
+            named: None,
+            smooth: None,
+            found: Found {
+                faults: Vec::new(),
+                more: 0,
+                notices: Vec::new(),
+                triangles: Triangles::default(),
+                slots: Vec::new(),
+                libraries: Vec::new(),
+                understood: 0,
+                unknown: 0,
+            },
+        }
+    }
+
+    /// Scans what tobj left, and tells what was found.
+    pub fn finish(mut self) -> Found {
+        while self.scan_piece() {}
+        self.check_ahead();
+        self.found.faults.sort_by_key(|fault| fault.place.line);
+        if self.found.triangles.with_normals.contains(&false)
+            && let Some(place) = self.smooth
+        {
+            self.found.notices.push(Notice { what: Unread::Smoothing, count: 1, place });
+        }
+        self.found
+    }
+
+    /// Looks for the indices of things that never came. The file is walked again only if there
+    /// are any.
+    fn check_ahead(&mut self) {
+        let counts = self.counts();
+        if (0..3).all(|kind| self.ahead[kind] as u64 <= counts[kind] as u64) {
+            return;
+        }
+        let bytes = self.bytes;
+        let (mut lines, mut words) = (Lines::new(bytes), Vec::new());
+        while let Some(line) = lines.next(&mut words) {
+            if !matches!(&bytes[words[0].clone()], b"f" | b"fo") {
+                continue;
+            }
+            for word in &words[1..] {
+                for (part, of) in bytes[word.clone()].split(|byte| *byte == b'/').zip(Of::ALL) {
+                    let count = counts[of as usize];
+                    let index = std::str::from_utf8(part).ok().and_then(|text| text.parse().ok());
+                    if let Some(index) = index.filter(|index: &i64| *index > count as i64) {
+                        self.fault(What::OutOfRange { of, index, count }, line, word.clone());
+                    }
+                }
+            }
+        }
+    }
+
+    /// How many there are so far, in the order of [`Of::ALL`].
+    fn counts(&self) -> [usize; 3] {
+        [self.positions.len(), self.textures, self.normals]
+    }
+
+    /// Makes a piece of clean text; false at the end of the file.
+    fn scan_piece(&mut self) -> bool {
+        self.clean.clear();
+        self.taken = 0;
+        let mut words = std::mem::take(&mut self.words);
+        let begin = self.lines.position();
+        let mut more = true;
+        while more && self.clean.len() < PIECE && self.lines.position() - begin < PIECE {
+            match self.lines.next(&mut words) {
+                Some(line) => self.statement(line, &words),
+                None => more = false,
+            }
+        }
+        self.words = words;
+        self.progress.advance(self.lines.position() as u64, self.bytes.len() as u64);
+        if !self.found.faults.is_empty() {
+            self.clean.clear();
+        }
+        more
+    }
+
+    fn statement(&mut self, line: Line, words: &[Range<usize>]) {
+        let bytes = self.bytes;
+        self.found.understood += 1;
+        match &bytes[words[0].clone()] {
+            b"v" => self.vertex(line, words),
+            b"vt" => {
+                self.textures += 1;
+                self.numbers("vt", 1, 3, line, words);
+            }
+            b"vn" => self.normal(line, words),
+            b"f" | b"fo" => self.face(line, words),
+            b"usemtl" => self.material(line, words),
+            b"mtllib" => self.library(line, words),
+            b"o" | b"g" | b"mg" => {}
+            b"s" => {
+                let off = matches!(words.get(1).map(|w| &bytes[w.clone()]), Some(b"0" | b"off"));
+                if !off && self.smooth.is_none() {
+                    self.smooth = Some(lines::excerpt(bytes, line, whole(words)));
+                }
+            }
+            b"p" => self.notice(Unread::Points, line, words),
+            b"l" => self.notice(Unread::Lines, line, words),
+            b"vp" | b"cstype" | b"deg" | b"bmat" | b"step" | b"curv" | b"curv2" | b"surf"
+            | b"parm" | b"trim" | b"hole" | b"scrv" | b"sp" | b"end" | b"con" => {
+                self.notice(Unread::FreeForm, line, words);
+            }
+            _ => {
+                self.found.understood -= 1;
+                self.found.unknown += 1;
+                let word = lines::shown(bytes, &words[0]);
+                let unknown = |n: &&Notice| matches!(n.what, Unread::Unknown(_));
+                let known =
+                    self.found.notices.iter().any(|n| n.what == Unread::Unknown(word.clone()));
+                if known || self.found.notices.iter().filter(unknown).count() < UNKNOWN_TOLD {
+                    self.notice(Unread::Unknown(word), line, &words[..1]);
+                }
+            }
+        }
+    }
+
+    fn vertex(&mut self, line: Line, words: &[Range<usize>]) {
+        // x y z, then nothing, a weight (of no meaning for polygons), a colour, or both.
+        let numbers = self.numbers("v", 3, 7, line, words);
+        let p = DVec3::new(numbers[0], numbers[1], numbers[2]);
+        for (coordinate, word) in p.to_array().iter().zip(&words[1..]) {
+            if coordinate.abs() > FARTHEST {
+                self.fault(What::TooFar(lines::shown(self.bytes, word)), line, word.clone());
+            }
+        }
+        if words.len() > 5 {
+            self.notice(Unread::VertexColours, line, &words[words.len() - 3..]);
+        }
+        self.positions.push(p);
+        self.hand_on(b"v", words);
+    }
+
+    fn normal(&mut self, line: Line, words: &[Range<usize>]) {
+        let [x, y, z, ..] = self.numbers("vn", 3, 3, line, words);
+        if [x, y, z] == [0.0; 3] && words.len() > 3 {
+            self.notice(Unread::ZeroNormal, line, words);
+        }
+        self.normals += 1;
+        self.hand_on(b"vn", words);
+    }
+
+    /// Hands a statement of three numbers on.
+    fn hand_on(&mut self, statement: &[u8], words: &[Range<usize>]) {
+        self.clean.extend(statement);
+        for word in words.iter().skip(1).take(3) {
+            self.clean.push(b' ');
+            self.clean.extend(&self.bytes[word.clone()]);
+        }
+        self.clean.push(b'\n');
+    }
+
+    /// Checks the numbers of a statement; those that are wrong or missing are zero.
+    fn numbers(
+        &mut self,
+        statement: &'static str,
+        wanted: usize,
+        most: usize,
+        line: Line,
+        words: &[Range<usize>],
+    ) -> [f64; 7] {
+        let mut numbers = [0.0; 7];
+        let found = words.len() - 1;
+        if found < wanted {
+            self.fault(What::TooFewNumbers { statement, found, wanted }, line, whole(words));
+            return numbers;
+        }
+        for (number, word) in numbers[..most].iter_mut().zip(&words[1..]) {
+            let text = std::str::from_utf8(&self.bytes[word.clone()]).unwrap_or("");
+            match text.parse::<f64>() {
+                Ok(value) if value.is_finite() => *number = value,
+                Ok(_) => {
+                    let what = What::NotFinite(lines::shown(self.bytes, word));
+                    self.fault(what, line, word.clone());
+                }
+                Err(_) => {
+                    let what = What::NotANumber(lines::shown(self.bytes, word));
+                    self.fault(what, line, word.clone());
+                }
+            }
+        }
+        numbers
+    }
+
+    fn face(&mut self, line: Line, words: &[Range<usize>]) {
+        let mut corners = std::mem::take(&mut self.corners);
+        corners.clear();
+        let before = self.found.faults.len() as u64 + self.found.more;
+        corners.extend(words[1..].iter().filter_map(|word| self.corner(line, word)));
+        let faultless = before == self.found.faults.len() as u64 + self.found.more;
+        let with_normals = corners.iter().filter(|corner| corner.normal.is_some()).count();
+        if words.len() < 4 {
+            self.fault(What::TooFewCorners(words.len() - 1), line, whole(words));
+        } else if faultless && with_normals != 0 && with_normals != corners.len() {
+            self.fault(What::MixedNormals, line, whole(words));
+        } else if faultless {
+            self.clean_face(&corners, line, words);
+        }
+        self.corners = corners;
+    }
+
+    fn clean_face(&mut self, corners: &[Corner], line: Line, words: &[Range<usize>]) {
+        let start = self.fan_start(corners, line, words);
+        self.clean.push(b'f');
+        for i in 0..corners.len() {
+            let corner = corners[(start + i) % corners.len()];
+            // Writing into memory does not fail.
+            let _ = match corner.normal {
+                Some(normal) => write!(self.clean, " {}//{}", corner.vertex + 1, normal + 1),
+                None => write!(self.clean, " {}", corner.vertex + 1),
+            };
+        }
+        self.clean.push(b'\n');
+        let slot = self.slot(line, words);
+        let triangles = &mut self.found.triangles;
+        for _ in 2..corners.len() {
+            triangles.lines.push(line.number as u32);
+            triangles.slots.push(slot);
+            triangles.with_normals.push(corners[0].normal.is_some());
+        }
+    }
+
+    /// The corner to begin with; the first if vertices are yet to come.
+    fn fan_start(&mut self, corners: &[Corner], line: Line, words: &[Range<usize>]) -> usize {
+        if corners.len() == 3 {
+            return 0;
+        }
+        self.fan.clear();
+        self.fan.extend(corners.iter().filter_map(|c| self.positions.get(c.vertex)));
+        if self.fan.len() < corners.len() {
+            return 0;
+        }
+        match fan::start(&self.fan) {
+            Some(start) => start,
+            None => {
+                self.notice(Unread::Concave, line, words);
+                0
+            }
+        }
+    }
+
+    fn corner(&mut self, line: Line, word: &Range<usize>) -> Option<Corner> {
+        let mut indices = [None; 3];
+        for (i, part) in self.bytes[word.clone()].split(|byte| *byte == b'/').enumerate() {
+            let text = std::str::from_utf8(part).unwrap_or("?");
+            let index = text.parse::<i64>();
+            match (indices.get_mut(i), index) {
+                (Some(place), Ok(index)) => {
+                    *place = Some(self.resolve(Of::ALL[i], index, line, word)?);
+                }
+                (Some(_), Err(_)) if part.is_empty() && i > 0 => {}
+                _ => {
+                    let what = What::NotAnIndex(lines::shown(self.bytes, word));
+                    self.fault(what, line, word.clone());
+                    return None;
+                }
+            }
+        }
+        Some(Corner { vertex: indices[0]?, normal: indices[2] })
+    }
+
+    /// An index counted from zero. Those of things to come are looked at in the end.
+    fn resolve(&mut self, of: Of, index: i64, line: Line, word: &Range<usize>) -> Option<usize> {
+        let count = self.counts()[of as usize];
+        if index == 0 {
+            self.fault(What::ZeroIndex(of), line, word.clone());
+            return None;
+        }
+        if index > 0 {
+            if index as u64 > count as u64 {
+                let ahead = &mut self.ahead[of as usize];
+                *ahead = index.max(*ahead);
+            }
+            return Some((index - 1) as usize);
+        }
+        let resolved = (count as i64).checked_add(index).filter(|resolved| *resolved >= 0);
+        if resolved.is_none() {
+            self.fault(What::OutOfRange { of, index, count }, line, word.clone());
+        }
+        resolved.map(|resolved| resolved as usize)
+    }
+
+    fn material(&mut self, line: Line, words: &[Range<usize>]) {
+        let name = lines::name(self.bytes, line, words);
+        if name.is_empty() {
+            self.fault(What::MissingName("usemtl"), line, whole(words));
+            return;
+        }
+        self.slot = self.slots_by_name.get(&name).copied();
+        self.named = Some((name, line, whole(words)));
+    }
+
+    /// The slot of a face on this line; slots are made when a face first needs them.
+    fn slot(&mut self, line: Line, words: &[Range<usize>]) -> u32 {
+        if let Some(slot) = self.slot {
+            return slot;
+        }
+        let unnamed = || (String::new(), line, whole(words));
+        let (name, line, place) = self.named.clone().unwrap_or_else(unnamed);
+        let slot = self.found.slots.len() as u32;
+        if self.found.slots.len() == MOST_MATERIALS {
+            self.fault(What::TooMany("usemtl", MOST_MATERIALS), line, place.clone());
+        }
+        let excerpt = lines::excerpt(self.bytes, line, place);
+        self.found.slots.push((name.clone(), excerpt));
+        self.slots_by_name.insert(name, slot);
+        self.slot = Some(slot);
+        slot
+    }
+
+    fn library(&mut self, line: Line, words: &[Range<usize>]) {
+        let name = lines::name(self.bytes, line, words);
+        if name.is_empty() {
+            self.fault(What::MissingName("mtllib"), line, whole(words));
+            return;
+        }
+        // Blanks part names, and stand in names: several names each end in .mtl.
+        let parts: Vec<_> = name.split_whitespace().map(str::to_string).collect();
+        let several = parts.iter().all(|part| part.to_lowercase().ends_with(".mtl"));
+        for name in if several { parts } else { vec![name] } {
+            if self.found.libraries.len() == MOST_LIBRARIES {
+                self.fault(What::TooMany("mtllib", MOST_LIBRARIES), line, whole(words));
+                return;
+            }
+            if !self.found.libraries.iter().any(|library| library.0 == name) {
+                let place = lines::excerpt(self.bytes, line, whole(words));
+                self.found.libraries.push((name, place));
+            }
+        }
+    }
+
+    fn fault(&mut self, what: What, line: Line, place: Range<usize>) {
+        if self.found.faults.len() < TOLD {
+            let place = lines::excerpt(self.bytes, line, place);
+            self.found.faults.push(Fault { what, place });
+        } else {
+            self.found.more += 1;
+        }
+    }
+
+    fn notice(&mut self, what: Unread, line: Line, words: &[Range<usize>]) {
+        match self.found.notices.iter_mut().find(|notice| notice.what == what) {
+            Some(notice) => notice.count += 1,
+            None => {
+                let place = lines::excerpt(self.bytes, line, whole(words));
+                self.found.notices.push(Notice { what, count: 1, place });
+            }
+        }
+    }
+}
+
+/// From the first word to the last.
+fn whole(words: &[Range<usize>]) -> Range<usize> {
+    words[0].start..words[words.len() - 1].end
+}
+
+impl BufRead for Scan<'_> {
+    fn fill_buf(&mut self) -> io::Result<&[u8]> {
+        while self.taken == self.clean.len() && self.scan_piece() {}
+        Ok(&self.clean[self.taken..])
+    }
+
+    fn consume(&mut self, amount: usize) {
+        self.taken += amount;
+    }
+}
+
+impl Read for Scan<'_> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.fill_buf()?.read(buffer)?;
+        self.consume(count);
+        Ok(count)
+    }
+}

@@ -1,0 +1,1 @@
+//! Texts of .obj files, good and bad.

@@ -1,0 +1,86 @@
+//! Reads what scenes name, each file once a run, and joins it to them.
+
+use std::sync::Arc;
+
+use sha2::{Digest, Sha256};
+
+use super::files::Shelf;
+use super::{SceneHash, Stage, StagedFile, meshes};
+use crate::diag::{Diagnostic, Level, Sources};
+use crate::math::Progress;
+use crate::scene::{Object, Scene};
+
+/// Stages the scenes of a run.
+pub struct Loader<'a> {
+    shelf: Shelf<'a>,
+    /// What was told: the renders of a file share their faults.
+    told: Vec<Diagnostic>,
+}
+
+/// A file a stage rests on, and the digest of its bytes.
+pub(super) struct Used {
+    pub file: StagedFile,
+    pub digest: [u8; 32],
+}
+
+impl<'a> Loader<'a> {
+    /// Nothing is read yet. `progress` is told of the bytes of each large mesh as it is read.
+    pub fn new(progress: &'a dyn Progress) -> Self {
+        Self { shelf: Shelf::new(progress), told: Vec::new() }
+    }
+
+    /// Reads what the scene names. No stage if there is an error; a fault that was told for an
+    /// earlier scene of the run is not told again.
+    pub fn stage(
+        &mut self,
+        scene: &Arc<Scene>,
+        sources: &mut Sources,
+    ) -> (Option<Stage>, Vec<Diagnostic>) {
+        let mut found = Vec::new();
+        let mut used: Vec<Used> = Vec::new();
+        let mut staged = Vec::new();
+        let mut whole = true;
+        for object in &scene.objects {
+            let Object::Mesh(mesh) = &object.value.value else {
+                staged.push(None);
+                continue;
+            };
+            let mut desk = meshes::Desk {
+                shelf: &mut self.shelf,
+                sources,
+                scene,
+                found: &mut found,
+                used: &mut used,
+            };
+            let mesh = desk.stage(&object.name.value, mesh);
+            whole &= mesh.is_some();
+            staged.push(mesh);
+        }
+        whole &= found.iter().all(|diagnostic| diagnostic.level < Level::Error);
+        let stage = whole.then(|| Stage {
+            scene: scene.clone(),
+            meshes: staged,
+            hash: hash(scene, &used),
+            files: used.into_iter().map(|used| used.file).collect(),
+        });
+        found.retain(|diagnostic| !self.told.contains(diagnostic));
+        self.told.extend(found.iter().cloned());
+        (stage, found)
+    }
+}
+
+/// SHA-256 of the scene as JSON, then of each file's name and digest, in the order of first use.
+fn hash(scene: &Scene, used: &[Used]) -> SceneHash {
+    let mut hasher = Sha256::new();
+    let mut add = |bytes: &[u8]| {
+        // The length before the bytes: no two lists of parts read the same.
+        hasher.update((bytes.len() as u64).to_le_bytes());
+        hasher.update(bytes);
+    };
+    add(&serde_json::to_vec(scene).expect("a scene is plain data"));
+    for used in used {
+        add(used.file.name.as_bytes());
+        add(&used.digest);
+    }
+    SceneHash(hasher.finalize().into())
+}

@@ -1,0 +1,1 @@
+//! Scenes staged from files made for each test.
