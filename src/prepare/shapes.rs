@@ -242,8 +242,7 @@ impl One<'_> {
         let [a, b, c] = at.map(|corner| corner.as_dvec3());
         let facing = 0.5 * (b - a).cross(c - a);
         let area = facing.length();
-        // Not less: a NaN has no area either.
-        if !(area >= LEAST_AREA) {
+        if area < LEAST_AREA {
             self.slivers += 1;
             return;
         }

@@ -73,7 +73,7 @@ fn power_of_two_over(x: f64) -> f64 {
     let exponent = (x.to_bits() >> 52 & 0x7ff) as i64 - BIAS;
     // Sizes near the ends of f64 are refused elsewhere; here they must only do no harm.
     if x > 0.0 && x.is_finite() {
-        2.0_f64.powi(-(exponent.clamp(-900, 900) as i32) - 1)
+        2.0_f64.powi(-(exponent.clamp(-1000, 1000) as i32) - 1)
     } else {
         1.0
     }

@@ -45,7 +45,7 @@ impl Direct {
             // of the next do not depend on where the ray went.
             let u = stream.pair();
             let arrival = match self.area_lights {
-                AreaLights::Center => light.from_centre(&point),
+                AreaLights::Center => light.at_centre(&point),
                 AreaLights::Random => light.sample(&world.geometry, &point, u),
             };
             let Some(arrival) = arrival else { continue };

@@ -55,7 +55,7 @@ impl Lamp {
     }
 
     /// Larsen's simplification: all flux from the centre, L = Lₑ A cos θ / r², θ at the lamp.
-    pub(super) fn from_centre(&self, at: &Point) -> Option<Arrival> {
+    pub(super) fn at_centre(&self, at: &Point) -> Option<Arrival> {
         self.arrive(at, &self.centre.point)
     }
 

@@ -51,10 +51,10 @@ impl Light {
     }
 
     /// All its light as if it came from its centre.
-    pub fn from_centre(&self, at: &Point) -> Option<Arrival> {
+    pub fn at_centre(&self, at: &Point) -> Option<Arrival> {
         match self {
             Self::Directional(directional) => Some(directional.arrive(at)),
-            Self::Lamp(lamp) => lamp.from_centre(at),
+            Self::Lamp(lamp) => lamp.at_centre(at),
         }
     }
 }
