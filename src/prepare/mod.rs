@@ -91,8 +91,8 @@ pub struct Summary {
 }
 
 /// Everything that [`prepare`] can find wrong, without building the tree.
-pub fn check(stage: &Stage) -> Vec<Diagnostic> {
-    assemble(stage, &Settings::default(), &NoProgress).1
+pub fn check(stage: &Stage, settings: &Settings) -> Vec<Diagnostic> {
+    assemble(stage, settings, &NoProgress).1
 }
 
 /// The world of a stage. None if there is an error among the diagnostics, or if the settings are
