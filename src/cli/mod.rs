@@ -5,9 +5,18 @@
 
 mod options;
 mod terminal;
+mod stop;
+mod words;
+mod near;
+mod bar;
+mod log;
+mod output;
+mod picture;
+mod scene_file;
+mod render;
+mod lint;
 mod explain;
 mod list;
-mod near;
 
 use std::process::ExitCode;
 
@@ -18,15 +27,21 @@ use clap::Parser;
 enum End {
     /// It did what was asked.
     Well,
+    /// The scene, or a file it names, has errors.
+    SceneErrors,
     /// It could not do its work: options, the scene file itself, the disk.
     NotDone,
+    /// It was asked to stop.
+    Interrupted,
 }
 
 impl From<End> for ExitCode {
     fn from(end: End) -> Self {
         Self::from(match end {
             End::Well => 0,
+            End::SceneErrors => 1,
             End::NotDone => 2,
+            End::Interrupted => stop::INTERRUPTED,
         })
     }
 }
@@ -44,6 +59,8 @@ pub fn main() -> ExitCode {
         }
     };
     let end = match options.command {
+        options::Command::Render(options) => render::run(&options),
+        options::Command::Lint(options) => lint::run(&options),
         options::Command::Explain(options) => explain::run(&options),
         options::Command::List(options) => list::run(&options),
     };

@@ -1,6 +1,8 @@
 //! What can be asked of the command line, by clap.
 
-use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// A scene language, its compiler, and the physically based renderer behind it.
 #[derive(Parser, Debug)]
@@ -22,8 +24,117 @@ pub struct Options {
 
 #[derive(Subcommand, Debug)]
 pub enum Command {
+    Render(Render),
+    Lint(Lint),
     Explain(Explain),
     List(List),
+}
+
+/// Render the pictures a scene file asks for
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  scn render my.scn                             every render, into out/my/
+  scn render my.scn --only fig02 -o fig02.png   one of them, into one file
+  scn render my.scn --samples 4 --scale 0.25    a quick look
+  scn render my.scn --set 'film.exposure=1 ev' --set 'camera.look=x'
+
+Without -o each render NAME becomes out/<scene file's name>/NAME.exr (linear light) and NAME.png
+(as the film's exposure shows it). Ctrl-C writes what is done so far; a second one ends at once.")]
+pub struct Render {
+    /// The scene file
+    #[arg(value_name = "FILE")]
+    pub file: PathBuf,
+    /// Render this one alone; may be given more than once
+    #[arg(long, value_name = "NAME")]
+    pub only: Vec<String>,
+    /// Where pictures go: a folder, or for a single render a file ending in .exr or .png
+    #[arg(short, long, value_name = "DIR | FILE.exr | FILE.png")]
+    pub output: Option<PathBuf>,
+    /// Samples of each pixel, in place of what the scene says
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_SAMPLES))]
+    pub samples: Option<u64>,
+    /// Chooses all random numbers; the same seed gives the same picture
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub seed: u64,
+    /// Threads to compute with; one for each processor without it. Changes no bit of the picture
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_THREADS))]
+    pub threads: Option<u64>,
+    /// Factor on the picture's width and height
+    #[arg(long, value_name = "F", default_value_t = 1.0, value_parser = scale)]
+    pub scale: f64,
+    /// Render these pixels alone: columns x0 to x1, rows y0 to y1 from the top, ends not included;
+    /// in pixels of the scaled picture
+    #[arg(long, value_name = "x0,y0,x1,y1", value_parser = crop)]
+    pub crop: Option<[u64; 4]>,
+    /// Change the scene, as if written last in every render; may be given more than once
+    #[arg(long, value_name = "path=value")]
+    pub set: Vec<String>,
+    /// Say nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
+    /// How the log on stdout is written: for people, or one JSON object a line
+    #[arg(long, value_name = "FORM", default_value = "human")]
+    pub log: Form,
+}
+
+/// Check scene files, and the files they name, without rendering
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  scn lint my.scn
+  scn lint scenes/*.scn --format json")]
+pub struct Lint {
+    /// The scene files
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// How faults are written to stdout: for people, or as one JSON object
+    #[arg(long, value_name = "FORM", default_value = "human")]
+    pub format: Form,
+    /// Check the scene as changed so; may be given more than once
+    #[arg(long, value_name = "path=value")]
+    pub set: Vec<String>,
+}
+
+/// Who reads it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Form {
+    Human,
+    Json,
+}
+
+/// As many as the language allows.
+const MAX_SAMPLES: u64 = 4_294_967_296;
+/// More threads than any machine has processors are a mistake.
+const MAX_THREADS: u64 = 4096;
+/// The language allows no picture wider than this, so no larger factor is of use.
+const MAX_SCALE: f64 = 65_536.0;
+
+fn scale(text: &str) -> Result<f64, String> {
+    let factor: f64 = text.parse().map_err(|_| "write a number, such as 0.5".to_string())?;
+    if factor > 0.0 && factor <= MAX_SCALE {
+        Ok(factor)
+    } else {
+        Err(format!("the factor must be above 0, and {MAX_SCALE} at most"))
+    }
+}
+
+fn crop(text: &str) -> Result<[u64; 4], String> {
+    let parts: Vec<u64> = text
+        .split(',')
+        .map(|part| part.trim().parse())
+        .collect::<Result<_, _>>()
+        .map_err(|_| "write four whole numbers, such as 0,0,64,64".to_string())?;
+    let [x0, y0, x1, y1] = parts[..] else {
+        return Err(format!("write four numbers x0,y0,x1,y1; here are {}", parts.len()));
+    };
+    if x0 >= x1 {
+        return Err(format!("x0 must be less than x1, but {x0} is not less than {x1}"));
+    }
+    if y0 >= y1 {
+        return Err(format!("y0 must be less than y1, but {y0} is not less than {y1}"));
+    }
+    Ok([x0, y0, x1, y1])
 }
 
 /// Show what a fault means, with an example, and how it is mended
@@ -48,4 +159,42 @@ pub struct List {
     /// A word: a kind (camera, material …), a variant (diffuse …) or a field (albedo …)
     #[arg(value_name = "KIND")]
     pub word: Option<String>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(arguments: &str) -> Result<Options, String> {
+        Options::try_parse_from(arguments.split(' ')).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn clap_finds_nothing_wrong_with_the_options() {
+        use clap::CommandFactory;
+        Options::command().debug_assert();
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_refused_with_their_range() {
+        for (arguments, words) in [
+            ("--threads 0", "0 is not in 1..=4096"),
+            ("--samples 0", "0 is not in 1..="),
+            ("--samples -1", "unexpected argument '-1'"),
+            ("--scale 0", "the factor must be above 0"),
+            ("--scale nan", "the factor must be above 0"),
+            ("--scale big", "write a number, such as 0.5"),
+            ("--crop 0,0,64", "here are 3"),
+            ("--crop 64,0,64,64", "x0 must be less than x1"),
+            ("--crop 0,9,64,8", "y0 must be less than y1"),
+            ("--crop a,b,c,d", "write four whole numbers"),
+            ("--seed 18446744073709551616", "too large"),
+            ("--log xml", "possible values: human, json"),
+        ] {
+            let told = parsed(&format!("scn render a.scn {arguments}")).unwrap_err();
+            assert!(told.contains(words), "{arguments}:\n{told}");
+        }
+        let seed = "--seed 18446744073709551615 --crop 0,0,1,1 --scale 1e-3";
+        assert!(parsed(&format!("scn render a.scn {seed}")).is_ok());
+    }
 }

@@ -10,6 +10,11 @@ pub fn stderr_look() -> Look {
     look(io::stderr().is_terminal(), size, &|name| std::env::var(name).ok())
 }
 
+/// Whether somebody watches stderr.
+pub fn stderr_is_terminal() -> bool {
+    io::stderr().is_terminal()
+}
+
 /// How things look on stdout.
 pub fn stdout_look() -> Look {
     let size = terminal_size::terminal_size_of(io::stdout());

@@ -1,0 +1,269 @@
+//! The render log: what was done, in the order it happened, for people or for machines.
+//!
+//! docs/log.md describes the events for machines; a test holds it to them.
+
+use std::path::Path;
+
+use serde::Serialize;
+
+use super::options::Form;
+use super::terminal;
+use super::words::{counted, duration, grouped, rate, size};
+
+/// Something that happened. Times are in seconds, sizes in bytes.
+#[derive(Debug, Serialize)]
+#[serde(tag = "event", rename_all = "snake_case")]
+pub enum Event {
+    /// The scene and every file it names are read and checked.
+    Loaded { scene: String, renders: Vec<String>, files: Vec<Loaded>, seconds: f64 },
+    /// One render is ready to begin.
+    Built {
+        render: String,
+        hash: String,
+        triangles: u64,
+        other_shapes: u64,
+        materials: u64,
+        lights: u64,
+        slivers: u64,
+        bytes: u64,
+        seconds: f64,
+    },
+    /// Rays are about to be followed.
+    Rendering {
+        render: String,
+        width: u64,
+        height: u64,
+        film: [u64; 2],
+        crop: Option<[u64; 4]>,
+        samples: u64,
+        seed: u64,
+    },
+    /// Rays are being followed: `done` of `total` samples, of all pixels together, are taken. Told
+    /// when the first are, then once a second at most.
+    Progress { render: String, done: u64, total: u64 },
+    /// The picture is there.
+    Rendered {
+        render: String,
+        samples: u64,
+        rays: u64,
+        shadow_rays: u64,
+        seconds: f64,
+        rays_per_second: f64,
+        peak_memory: Option<u64>,
+    },
+    /// Something about the picture that is no fault of the scene.
+    Remark { render: String, text: String },
+    /// It was asked to stop. `samples` of each pixel are in the picture, or in part of it.
+    Interrupted { render: String, samples: u64, of: u64, tiles: Option<[usize; 2]> },
+    /// A file is complete.
+    Written { render: String, file: String },
+    /// Warnings and errors, as `scn lint --format json` writes them.
+    Diagnostics {
+        #[serde(flatten)]
+        report: serde_json::Value,
+    },
+    /// All is done.
+    Done { pictures: usize, seconds: f64 },
+}
+
+/// A file that was read.
+#[derive(Debug, Serialize)]
+pub struct Loaded {
+    pub name: String,
+    pub bytes: u64,
+    pub triangles: Option<u64>,
+}
+
+/// Where events go.
+#[derive(Clone, Copy, Debug)]
+pub struct Log {
+    pub form: Form,
+    pub quiet: bool,
+}
+
+impl Log {
+    /// Whether anybody reads of progress here.
+    pub fn tells_progress(&self) -> bool {
+        self.form == Form::Json && !self.quiet
+    }
+
+    /// Writes an event to stdout.
+    pub fn tell(&self, event: &Event) {
+        if self.quiet {
+            return;
+        }
+        let text = match self.form {
+            Form::Human => human(event),
+            Form::Json => {
+                let line = serde_json::to_string(event).expect("words and numbers are JSON");
+                format!("{line}\n")
+            }
+        };
+        terminal::say(&text);
+    }
+}
+
+/// A line of the log: what it is about, and what is to be said.
+fn line(about: &str, text: &str) -> String {
+    format!("  {about:<9} {text}\n")
+}
+
+fn human(event: &Event) -> String {
+    match event {
+        Event::Loaded { scene, renders, files, seconds } => loaded(scene, renders, files, *seconds),
+        Event::Built {
+            render,
+            triangles,
+            other_shapes,
+            materials,
+            lights,
+            slivers,
+            bytes,
+            seconds,
+            ..
+        } => {
+            let counts = [
+                (*triangles, "triangle"),
+                (*other_shapes, "other shape"),
+                (*materials, "material"),
+                (*lights, "light"),
+                (*slivers, "triangle dropped for want of area"),
+            ];
+            let scene: Vec<String> = counts
+                .into_iter()
+                .filter(|(count, word)| *count > 0 || *word == "light")
+                .map(|(count, word)| match count {
+                    0 => format!("no {word}s"),
+                    _ => counted(count, word),
+                })
+                .collect();
+            let built = format!("in {}, {}", duration(*seconds), size(*bytes));
+            format!("\n{render}\n") + &line("scene", &scene.join(", ")) + &line("built", &built)
+        }
+        Event::Rendering { width, height, crop, samples, seed, .. } => {
+            let mut text = format!("{width} × {height}, {} a pixel", counted(*samples, "ray"));
+            if let Some([x0, y0, x1, y1]) = crop {
+                text.push_str(&format!(", columns {x0} to {x1} and rows {y0} to {y1} alone"));
+            }
+            if *seed != 0 {
+                text.push_str(&format!(", seed {seed}"));
+            }
+            line("picture", &text)
+        }
+        Event::Rendered { rays, shadow_rays, seconds, peak_memory, .. } => {
+            let mut all = counted(*rays, "ray");
+            if *shadow_rays > 0 {
+                all.push_str(&format!(" and {}", counted(*shadow_rays, "shadow ray")));
+            }
+            let rate = rate(rays + shadow_rays, *seconds);
+            let mut text = line("rendered", &format!("in {}: {all}, {rate}", duration(*seconds)));
+            if let Some(bytes) = peak_memory {
+                text.push_str(&line("memory", &format!("{} at most", size(*bytes))));
+            }
+            text
+        }
+        // Told on stderr.
+        Event::Progress { .. } | Event::Remark { .. } | Event::Diagnostics { .. } => String::new(),
+        Event::Interrupted { samples, of, tiles, .. } => line(
+            "stopped",
+            &match tiles {
+                None => format!("after {} of {} samples a pixel", grouped(*samples), grouped(*of)),
+                Some([done, of]) => {
+                    format!(
+                        "in the first sample: {done} of {of} tiles have it, the others are black"
+                    )
+                }
+            },
+        ),
+        Event::Written { file, .. } => line("wrote", file),
+        Event::Done { pictures, seconds } => {
+            format!("\n{} in {}\n", counted(*pictures as u64, "picture"), duration(*seconds))
+        }
+    }
+}
+
+fn loaded(scene: &str, renders: &[String], files: &[Loaded], seconds: f64) -> String {
+    let renders = counted(renders.len() as u64, "render");
+    let mut text = format!("{scene}: {renders}, loaded in {}\n", duration(seconds));
+    let width = files.iter().map(|file| file.name.chars().count()).max().unwrap_or(0);
+    let short = |file: &Loaded| size(file.bytes);
+    let widest = files.iter().map(|file| short(file).len()).max().unwrap_or(0);
+    for file in files {
+        let Loaded { name, triangles, .. } = file;
+        let mut row = format!("{name:<width$}  {:>widest$}", short(file));
+        if let Some(triangles) = triangles {
+            row.push_str(&format!("  {}", counted(*triangles, "triangle")));
+        }
+        text.push_str(&line("file", &row));
+    }
+    text
+}
+
+/// A name for people and machines; bytes that are no text become marks.
+pub fn shown(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_log_reads_well() {
+        let file = |name: &str, bytes, triangles| Loaded { name: name.into(), bytes, triangles };
+        let events = [
+            Event::Loaded {
+                scene: "w01.scn".into(),
+                renders: vec!["a".into(), "b".into()],
+                files: vec![file("bunny.obj", 7_340_000, Some(99_785)), file("a.mtl", 80, None)],
+                seconds: 0.21,
+            },
+            Event::Built {
+                render: "a".into(),
+                hash: String::new(),
+                triangles: 99_785,
+                other_shapes: 0,
+                materials: 1,
+                lights: 0,
+                slivers: 0,
+                bytes: 12_000_000,
+                seconds: 0.1,
+            },
+            Event::Rendering {
+                render: "a".into(),
+                width: 512,
+                height: 512,
+                film: [512, 512],
+                crop: None,
+                samples: 16,
+                seed: 0,
+            },
+            Event::Rendered {
+                render: "a".into(),
+                samples: 16,
+                rays: 4_194_304,
+                shadow_rays: 1000,
+                seconds: 2.0,
+                rays_per_second: 2.1e6,
+                peak_memory: Some(40_000_000),
+            },
+            Event::Written { render: "a".into(), file: "out/w01/a.exr".into() },
+            Event::Done { pictures: 1, seconds: 2.5 },
+        ];
+        let text: String = events.iter().map(human).collect();
+        assert_eq!(
+            text,
+            "w01.scn: 2 renders, loaded in 0.21 s\n  \
+               file      bunny.obj    7.3 MB  99,785 triangles\n  \
+               file      a.mtl      80 bytes\n\
+             \na\n  \
+               scene     99,785 triangles, 1 material, no lights\n  \
+               built     in 0.10 s, 12.0 MB\n  \
+               picture   512 × 512, 16 rays a pixel\n  \
+               rendered  in 2 s: 4,194,304 rays and 1,000 shadow rays, 2.1 million rays a second\n  \
+               memory    40.0 MB at most\n  \
+               wrote     out/w01/a.exr\n\
+             \n1 picture in 2.50 s\n"
+        );
+    }
+}

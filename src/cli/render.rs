@@ -1,0 +1,319 @@
+//! `scn render`: read, check everything, then render one scene at a time.
+
+use super::bar::{Bar, Watcher};
+use super::log::{Event, Loaded, Log, shown};
+use super::near::{either, near};
+use super::options::{Form, Render};
+use super::output::Output;
+use super::{End, picture, scene_file, stop, terminal};
+use crate::diag::{self, Diagnostic, Level, Sources};
+use crate::load::{Loader, Stage};
+use crate::prepare;
+use crate::render::tiles::Threads;
+use crate::{files, lang, run};
+
+pub fn run(options: &Render) -> End {
+    stop::listen(options.quiet);
+    let all = || Session::new(options).run();
+    let ended = match options.threads {
+        None => all(),
+        Some(count) => match Threads::new(count as usize) {
+            Some(threads) => threads.run(all),
+            None => {
+                terminal::fail(&format!("the system does not give {count} threads"));
+                Err(End::NotDone)
+            }
+        },
+    };
+    ended.err().unwrap_or(End::Well)
+}
+
+/// One run of the command.
+struct Session<'a> {
+    options: &'a Render,
+    log: Log,
+    bar: Bar,
+    sources: Sources,
+    /// Faults that were told already.
+    told: Vec<Diagnostic>,
+}
+
+/// A render whose scene is read and free of errors.
+struct Ready {
+    name: String,
+    stage: Stage,
+}
+
+impl<'a> Session<'a> {
+    fn new(options: &'a Render) -> Self {
+        let bar = !options.quiet && terminal::stderr_is_terminal();
+        Self {
+            options,
+            log: Log { form: options.log, quiet: options.quiet },
+            bar: Bar::new(bar),
+            sources: Sources::new(),
+            told: Vec::new(),
+        }
+    }
+
+    fn run(mut self) -> Result<(), End> {
+        let options = self.options;
+        let output =
+            Output::new(options.output.as_deref(), &options.file).map_err(|text| failed(&text))?;
+        let compiled = scene_file::compile(&options.file, &options.set, &mut self.sources)
+            .ok_or(End::NotDone)?;
+        if compiled.diagnostics.iter().any(|d| d.level == Level::Error) {
+            self.tell(compiled.diagnostics);
+            return Err(End::SceneErrors);
+        }
+        let chosen = self.chosen(compiled.renders, &output)?;
+        let ready = self.load(compiled.diagnostics, chosen)?;
+        self.settings_fit(&ready, &output)?;
+        self.tell_loaded(&ready);
+
+        let mut pictures = 0;
+        for render in &ready {
+            if stop::asked() {
+                return Err(End::Interrupted);
+            }
+            self.render(render, &output)?;
+            pictures += 1;
+        }
+        self.log.tell(&Event::Done { pictures, seconds: self.bar.seconds() });
+        Ok(())
+    }
+
+    /// The renders asked for, in the order of the file.
+    fn chosen(
+        &self,
+        renders: Vec<lang::Render>,
+        output: &Output,
+    ) -> Result<Vec<lang::Render>, End> {
+        let only = &self.options.only;
+        let names: Vec<String> = renders.iter().map(|render| render.name.value.clone()).collect();
+        let all: Vec<&str> = names.iter().map(String::as_str).collect();
+        let file = self.options.file.display();
+        if let Some(unknown) = only.iter().find(|name| !names.contains(name)) {
+            let mut text = format!("{file} has no render `{unknown}`");
+            let nearest = near(unknown, all.iter().copied());
+            if !nearest.is_empty() {
+                text.push_str(&format!("; did you mean {}?", either(&nearest)));
+            }
+            text.push_str(&format!("\n  it has: {}", listed(&all)));
+            return Err(failed(&text));
+        }
+        let chosen: Vec<lang::Render> = renders
+            .into_iter()
+            .filter(|render| only.is_empty() || only.contains(&render.name.value))
+            .collect();
+        match output.single() {
+            Some(path) if chosen.len() != 1 => Err(failed(&format!(
+                "`{}` holds one picture, but {} renders were asked for\n  choose one with --only \
+                 NAME, or give a folder: {}",
+                path.display(),
+                chosen.len(),
+                listed(&chosen.iter().map(|r| r.name.value.as_str()).collect::<Vec<_>>()),
+            ))),
+            _ => Ok(chosen),
+        }
+    }
+
+    /// Reads the files of all scenes and checks what can be checked before rendering, so that
+    /// all errors are told in one run.
+    fn load(
+        &mut self,
+        mut found: Vec<Diagnostic>,
+        chosen: Vec<lang::Render>,
+    ) -> Result<Vec<Ready>, End> {
+        let settings = self.settings();
+        let mut ready = Vec::new();
+        self.bar.begin("Loading");
+        let mut loader = Loader::new(&self.bar);
+        for render in chosen {
+            let (stage, faults) = loader.stage(&render.scene, &mut self.sources);
+            found.extend(faults);
+            if let Some(stage) = stage {
+                found.extend(prepare::check(&stage, &settings));
+                ready.push(Ready { name: render.name.value, stage });
+            }
+            if stop::asked() {
+                break;
+            }
+        }
+        self.bar.end();
+        let faulty = found.iter().any(|diagnostic| diagnostic.level == Level::Error);
+        self.tell(found);
+        if stop::asked() {
+            Err(End::Interrupted)
+        } else if faulty {
+            Err(End::SceneErrors)
+        } else {
+            Ok(ready)
+        }
+    }
+
+    fn settings(&self) -> prepare::Settings {
+        prepare::Settings { scale: self.options.scale, crop: self.options.crop }
+    }
+
+    /// Whether --scale and --crop suit the scenes, and the pictures can be written: found out
+    /// before the work, not after it.
+    fn settings_fit(&self, ready: &[Ready], output: &Output) -> Result<(), End> {
+        for Ready { name, stage } in ready {
+            if let Some(unfit) = self.settings().unfit(stage) {
+                return Err(failed(&format!("render `{name}`: {unfit}")));
+            }
+        }
+        for path in ready.iter().flat_map(|render| output.paths(&render.name).into_iter()) {
+            files::whole::ready(&path)
+                .map_err(|failure| failed(&format!("the picture `{}` {failure}", shown(&path))))?;
+        }
+        Ok(())
+    }
+
+    fn tell_loaded(&self, ready: &[Ready]) {
+        let mut files: Vec<Loaded> = Vec::new();
+        for file in ready.iter().flat_map(|render| &render.stage.files) {
+            if files.iter().all(|seen| seen.name != file.name) {
+                let (name, bytes) = (file.name.clone(), file.bytes);
+                files.push(Loaded { name, bytes, triangles: file.triangles });
+            }
+        }
+        self.log.tell(&Event::Loaded {
+            scene: shown(&self.options.file),
+            renders: ready.iter().map(|render| render.name.clone()).collect(),
+            files,
+            seconds: self.bar.seconds(),
+        });
+    }
+
+    /// Renders one scene and writes its pictures.
+    fn render(&mut self, Ready { name, stage }: &Ready, output: &Output) -> Result<(), End> {
+        let begun = self.bar.seconds();
+        self.bar.begin(&format!("Building {name}"));
+        let (prepared, found) = prepare::prepare(stage, &self.settings(), &self.bar);
+        self.bar.end();
+        self.tell(found);
+        let Some(prepared) = prepared else { return Err(End::SceneErrors) };
+        self.log.tell(&Event::Built {
+            render: name.clone(),
+            hash: stage.hash.to_string(),
+            triangles: prepared.summary.triangles,
+            other_shapes: prepared.summary.other_shapes,
+            materials: prepared.summary.materials,
+            lights: prepared.summary.lights,
+            slivers: prepared.summary.slivers,
+            bytes: prepared.summary.bytes,
+            seconds: self.bar.seconds() - begun,
+        });
+        if stop::asked() {
+            return Err(End::Interrupted);
+        }
+
+        let samples = self.options.samples.unwrap_or(stage.scene.stop.samples.0);
+        let settings = run::Settings { seed: self.options.seed, samples };
+        let window = prepared.world.film.window;
+        self.log.tell(&Event::Rendering {
+            render: name.clone(),
+            width: window.width(),
+            height: window.height(),
+            film: prepared.world.film.size,
+            crop: self.options.crop,
+            samples,
+            seed: settings.seed,
+        });
+        self.bar.begin(&format!("Rendering {name}"));
+        let begun = self.bar.seconds();
+        let watcher = Watcher::new(&self.bar, self.log, name);
+        let outcome = run::render(&prepared.world, &prepared.integrator, &settings, &watcher);
+        let seconds = self.bar.seconds() - begun;
+        self.bar.end();
+
+        self.log.tell(&Event::Rendered {
+            render: name.clone(),
+            samples: outcome.samples,
+            rays: outcome.rays,
+            shadow_rays: outcome.shadow_rays,
+            seconds,
+            rays_per_second: (outcome.rays + outcome.shadow_rays) as f64 / seconds.max(1e-9),
+            peak_memory: files::memory::peak(),
+        });
+        for text in picture::remarks(&outcome, &prepared.objects) {
+            if !self.options.quiet {
+                terminal::tell(&format!("warning: render `{name}`: {text}\n"));
+            }
+            self.log.tell(&Event::Remark { render: name.clone(), text });
+        }
+        let done = picture::Done { name, stage, seed: settings.seed, samples, outcome, seconds };
+        if let Some(interrupted) = done.outcome.interrupted {
+            let tiles = interrupted.tiles.map(|tiles| [tiles.done, tiles.of]);
+            self.log.tell(&Event::Interrupted {
+                render: name.clone(),
+                samples: done.outcome.samples,
+                of: samples,
+                tiles,
+            });
+            if tiles.is_none_or(|[done, _]| done > 0) {
+                self.write(&done, &prepared.world.film, output)?;
+            }
+            return Err(End::Interrupted);
+        }
+        self.write(&done, &prepared.world.film, output)
+    }
+
+    fn write(
+        &self,
+        done: &picture::Done,
+        film: &crate::render::film::Film,
+        output: &Output,
+    ) -> Result<(), End> {
+        let _writing = stop::writing();
+        let paths = output.paths(done.name);
+        done.write(&paths, film, self.options).map_err(|(path, failure)| {
+            failed(&format!("the picture `{}` {failure}", shown(&path)))
+        })?;
+        for path in paths.into_iter() {
+            let file = shown(&path);
+            self.log.tell(&Event::Written { render: done.name.to_string(), file });
+        }
+        Ok(())
+    }
+
+    /// Tells faults, each once, to people on stderr and to machines in the log.
+    fn tell(&mut self, found: Vec<Diagnostic>) {
+        let new = found.into_iter().filter(|fault| !self.told.contains(fault)).collect();
+        let new = diag::in_order(new, &self.sources);
+        if new.is_empty() {
+            return;
+        }
+        let subject = shown(&self.options.file);
+        let severe: Vec<Diagnostic> = new
+            .iter()
+            .filter(|fault| fault.level == Level::Error || !self.options.quiet)
+            .cloned()
+            .collect();
+        let look = terminal::stderr_look();
+        terminal::tell(&diag::print::report(&severe, &self.sources, &subject, look));
+        if self.options.log == Form::Json {
+            let report = diag::json::report(&new, &self.sources);
+            self.log.tell(&Event::Diagnostics { report });
+        }
+        self.told.extend(new);
+    }
+}
+
+/// Tells why the command cannot do its work.
+fn failed(text: &str) -> End {
+    terminal::fail(text);
+    End::NotDone
+}
+
+/// Names, not too many of them.
+fn listed(names: &[&str]) -> String {
+    const MOST: usize = 12;
+    let mut text = names[..names.len().min(MOST)].join(", ");
+    if names.len() > MOST {
+        text.push_str(&format!(" and {} more", names.len() - MOST));
+    }
+    text
+}

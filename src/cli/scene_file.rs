@@ -1,0 +1,46 @@
+//! From the scene file's name to its renders, with the texts it imports.
+
+use std::path::{Path, PathBuf};
+
+use super::near::either;
+use super::terminal;
+use crate::diag::Sources;
+use crate::files;
+use crate::lang::{self, Compiled, Library};
+
+/// Scene files from the disk.
+struct Disk;
+
+impl Library for Disk {
+    fn read(&self, path: &Path) -> Result<String, String> {
+        files::text::read(path).map_err(|failure| failure.to_string())
+    }
+}
+
+/// Reads and compiles a scene file. None if it could not be read; why has been told.
+pub fn compile(path: &Path, sets: &[String], sources: &mut Sources) -> Option<Compiled> {
+    match files::text::read(path) {
+        Ok(text) => Some(lang::compile(path, &text, sets, &Disk, sources)),
+        Err(failure) => {
+            terminal::fail(&unread(path, &failure));
+            None
+        }
+    }
+}
+
+fn unread(path: &Path, failure: &files::Failure) -> String {
+    let mut text = format!("the scene file `{}` {failure}", path.display());
+    if let Ok(whole) = std::path::absolute(path)
+        && whole != path
+    {
+        text.push_str(&format!("\n  looked for: {}", whole.display()));
+    }
+    // The ending is easily forgotten.
+    let mut longer = PathBuf::from(path).into_os_string();
+    longer.push(".scn");
+    if files::text::read(Path::new(&longer)).is_ok() {
+        let longer = longer.to_string_lossy();
+        text.push_str(&format!("\n  did you mean {}?", either(&[&*longer])));
+    }
+    text
+}

@@ -1,0 +1,38 @@
+//! Ctrl-C: the first one asks the work to end well, the second one ends it.
+
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use super::terminal;
+
+/// Exit code of a process that was interrupted, by the convention of shells.
+pub const INTERRUPTED: u8 = 130;
+
+static ASKED: AtomicU32 = AtomicU32::new(0);
+/// Held while a file is written, so that the end comes before or after it.
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// Listens from now on to Ctrl-C, and to a polite request to terminate.
+pub fn listen(quiet: bool) {
+    let heard = ctrlc::set_handler(move || {
+        if ASKED.fetch_add(1, Ordering::SeqCst) > 0 {
+            let _writing = writing();
+            std::process::exit(i32::from(INTERRUPTED));
+        }
+        if !quiet {
+            terminal::tell("\nStopping, and writing what is done; once more ends at once.\n");
+        }
+    });
+    // Without a handler the system ends the process at Ctrl-C, and files are whole all the same.
+    drop(heard);
+}
+
+/// Whether the work was asked to end.
+pub fn asked() -> bool {
+    ASKED.load(Ordering::Relaxed) > 0
+}
+
+/// To be held while a file is written.
+pub fn writing() -> MutexGuard<'static, ()> {
+    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
