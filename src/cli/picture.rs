@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::options::Render;
 use super::output::Paths;
 use super::words::counted;
-use crate::files::{self, Failure, Metadata, exr::Layers};
+use crate::files::{self, Failure, Metadata};
 use crate::load::Stage;
 use crate::prepare::ObjectNote;
 use crate::render::film::Film;
@@ -33,7 +33,7 @@ impl Done<'_> {
     ) -> Result<(), (PathBuf, Failure)> {
         let metadata = self.metadata(options);
         if let Some(path) = &paths.exr {
-            let layers = Layers {
+            let layers = files::exr::Layers {
                 film: film.size.map(|n| n as usize),
                 origin: [film.window.x0 as usize, film.window.y0 as usize],
                 main: self.outcome.picture.clone(),
