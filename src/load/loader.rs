@@ -24,7 +24,7 @@ pub(super) struct Used {
 }
 
 impl<'a> Loader<'a> {
-    /// Nothing is read yet. `progress` is told of the bytes of each large mesh as it is read.
+    /// Nothing is read yet. `progress` is told the bytes of each mesh as they are read.
     pub fn new(progress: &'a dyn Progress) -> Self {
         Self { shelf: Shelf::new(progress), told: Vec::new() }
     }

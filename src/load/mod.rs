@@ -10,6 +10,3 @@ mod tidy;
 
 pub use loader::Loader;
 pub use stage::{SceneHash, Stage, StagedFile, StagedMesh};
-
-#[cfg(test)]
-mod tests;

@@ -71,8 +71,9 @@ pub fn parse(bytes: &[u8]) -> Result<Library, Failure> {
     }
     let mut scan = scan::Scan::new(bytes);
     scan.run();
-    let orphan = |fault: &Fault| fault.what == What::NoMaterial;
-    if scan.library.materials.is_empty() && scan.library.faults.iter().any(orphan) {
+    let orphans = |fault: &Fault| fault.what == What::NoMaterial;
+    let says = !scan.library.unknown.is_empty() || scan.library.faults.iter().any(orphans);
+    if scan.library.materials.is_empty() && says {
         return Err(Failure::new("is no .mtl file: it has no newmtl"));
     }
     let mut clean = scan.clean.as_bytes();

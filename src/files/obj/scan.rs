@@ -130,12 +130,9 @@ impl<'a> Scan<'a> {
                 continue;
             }
             for word in &words[1..] {
-                for (part, of) in bytes[word.clone()].split(|byte| *byte == b'/').zip(Of::ALL) {
-                    let count = counts[of as usize];
-                    let index = std::str::from_utf8(part).ok().and_then(|text| text.parse().ok());
-                    if let Some(index) = index.filter(|index: &i64| *index > count as i64) {
-                        self.fault(What::OutOfRange { of, index, count }, line, word.clone());
-                    }
+                if let Some((of, index)) = beyond(&bytes[word.clone()], counts) {
+                    let what = What::OutOfRange { of, index, count: counts[of as usize] };
+                    self.fault(what, line, word.clone());
                 }
             }
         }
@@ -439,6 +436,15 @@ impl<'a> Scan<'a> {
             }
         }
     }
+}
+
+/// The first index of a well-formed corner that is above its count.
+fn beyond(corner: &[u8], counts: [usize; 3]) -> Option<(Of, i64)> {
+    let parts = || corner.split(|byte| *byte == b'/');
+    let index = |part| std::str::from_utf8(part).ok()?.parse::<i64>().ok();
+    let mut indices = parts().zip(Of::ALL).filter_map(|(part, of)| Some((of, index(part)?)));
+    let beyond = indices.find(|(of, index)| *index > counts[*of as usize] as i64);
+    beyond.filter(|_| parts().count() <= 3)
 }
 
 /// From the first word to the last.

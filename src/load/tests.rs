@@ -1,1 +1,0 @@
-//! Scenes staged from files made for each test.
