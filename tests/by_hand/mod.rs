@@ -1,0 +1,397 @@
+//! Scenes made by hand, for tests that ask what the light does and not what the text says.
+
+#![allow(dead_code, reason = "each test file uses a part of it")]
+
+use std::f64::consts::FRAC_PI_4;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::{DVec3, dvec3};
+use scn::diag::{Diagnostic, FileId, Span};
+use scn::load::{SceneHash, Stage, StagedMesh};
+use scn::math::{Mesh, NoProgress, Picture, Rgb, Spectrum};
+use scn::measure::statistics::Moments;
+use scn::prepare::{self, Prepared};
+use scn::run::{self, Outcome, Watch};
+use scn::scene::{self, At, Named, Place, Step};
+
+/// The place of what has no text.
+pub const NOWHERE: Span = Span { file: FileId(0), start: 0, end: 0 };
+
+/// `value`, said nowhere.
+pub fn at<T>(value: T) -> At<T> {
+    At::new(value, NOWHERE)
+}
+
+/// A stage in the making.
+#[derive(Clone)]
+pub struct Hand {
+    pub scene: scene::Scene,
+    pub meshes: Vec<Option<StagedMesh>>,
+    pub settings: prepare::Settings,
+}
+
+/// Direct light, lamps at random points, with shadows.
+pub fn direct() -> scene::Integrator {
+    integrator(true, scene::AreaLights::Random)
+}
+
+/// Direct light.
+pub fn integrator(shadows: bool, area_lights: scene::AreaLights) -> scene::Integrator {
+    scene::Integrator::Direct(scene::Direct {
+        shadows: at(scene::Switch(shadows)),
+        area_lights: at(area_lights),
+    })
+}
+
+/// The box filter of one pixel.
+pub fn pixel_box() -> scene::Filter {
+    scene::Filter::BoxFilter(scene::BoxFilter { radius: at(scene::Number(0.5)) })
+}
+
+impl Hand {
+    /// An empty scene of 1 × 1 pixel, one sample, seen from +z.
+    pub fn new(integrator: scene::Integrator) -> Self {
+        let camera = scene::Camera::Overview(scene::Overview {
+            look: at(scene::Direction(DVec3::NEG_Z)),
+            up: at(scene::Direction(DVec3::Y)),
+            distance: at(scene::Number(1.75)),
+            fov_y: at(scene::Angle(FRAC_PI_4)),
+        });
+        let film = scene::Film {
+            size: at(scene::Size([1, 1])),
+            filter: at(pixel_box()),
+            exposure: at(scene::Exposure(0.0)),
+        };
+        let sampler = scene::Stratified { grid: at(scene::Count(4)) };
+        Self {
+            scene: scene::Scene {
+                camera: at(camera),
+                caption: at(scene::Text(String::new())),
+                film: at(film),
+                integrator: at(integrator),
+                sampler: at(scene::Sampler::Stratified(sampler)),
+                stop: at(scene::Stop { samples: at(scene::Count(1)) }),
+                lights: Vec::new(),
+                materials: Vec::new(),
+                objects: Vec::new(),
+            },
+            meshes: Vec::new(),
+            settings: prepare::Settings::default(),
+        }
+    }
+
+    pub fn size(mut self, width: u64, height: u64) -> Self {
+        self.scene.film.value.size = at(scene::Size([width, height]));
+        self
+    }
+
+    pub fn filter(mut self, filter: scene::Filter) -> Self {
+        self.scene.film.value.filter = at(filter);
+        self
+    }
+
+    pub fn grid(mut self, grid: u64) -> Self {
+        let sampler = scene::Stratified { grid: at(scene::Count(grid)) };
+        self.scene.sampler = at(scene::Sampler::Stratified(sampler));
+        self
+    }
+
+    pub fn samples(mut self, samples: u64) -> Self {
+        self.scene.stop.value.samples = at(scene::Count(samples));
+        self
+    }
+
+    pub fn integrator(mut self, integrator: scene::Integrator) -> Self {
+        self.scene.integrator = at(integrator);
+        self
+    }
+
+    /// A camera at `eye` that looks at a point, so many degrees from edge to edge.
+    pub fn camera(mut self, eye: DVec3, look_at: DVec3, fov_deg: f64) -> Self {
+        let across = if (look_at - eye).normalize().y.abs() > 0.9 { DVec3::Z } else { DVec3::Y };
+        self.scene.camera = at(scene::Camera::Perspective(scene::Perspective {
+            eye: at(scene::Point(eye)),
+            look_at: at(scene::Point(look_at)),
+            up: at(scene::Direction(across)),
+            fov_y: at(scene::Angle(fov_deg.to_radians())),
+        }));
+        self
+    }
+
+    pub fn material(mut self, name: &str, albedo: f64, emission: f64) -> Self {
+        self.scene.materials.push(diffuse(name, Spectrum::Constant(albedo), emission));
+        self.scene.materials.sort_by(|a, b| a.name.value.cmp(&b.name.value));
+        self
+    }
+
+    pub fn directional(mut self, direction: DVec3, irradiance: f64) -> Self {
+        let light = scene::Light::Directional(scene::Directional {
+            direction: at(scene::Direction(direction.normalize())),
+            irradiance: at(scene::Irradiance(Spectrum::Constant(irradiance))),
+        });
+        let name = at(format!("light{}", self.scene.lights.len()));
+        self.scene.lights.push(Named { name, value: at(light) });
+        self
+    }
+
+    pub fn background(mut self, radiance: f64) -> Self {
+        let light = scene::Light::Constant(scene::Constant {
+            radiance: at(scene::Radiance(Spectrum::Constant(radiance))),
+        });
+        let name = at(format!("light{}", self.scene.lights.len()));
+        self.scene.lights.push(Named { name, value: at(light) });
+        self
+    }
+
+    /// A parallelogram about its centre, with half its edges.
+    pub fn quad(self, centre: DVec3, u: DVec3, v: DVec3, material: &str) -> Self {
+        self.object(scene::Object::Quad(scene::Quad {
+            corner: at(scene::Point(centre - u - v)),
+            u: at(scene::Point(2.0 * u)),
+            v: at(scene::Point(2.0 * v)),
+            material: at(scene::Ref::new(material)),
+            place: at(Place::default()),
+        }))
+    }
+
+    pub fn triangle(self, [a, b, c]: [DVec3; 3], material: &str) -> Self {
+        self.object(scene::Object::Triangle(scene::Triangle {
+            a: at(scene::Point(a)),
+            b: at(scene::Point(b)),
+            c: at(scene::Point(c)),
+            material: at(scene::Ref::new(material)),
+            place: at(Place::default()),
+        }))
+    }
+
+    pub fn sphere(self, centre: DVec3, radius: f64, material: &str) -> Self {
+        self.object(scene::Object::Sphere(scene::Sphere {
+            center: at(scene::Point(centre)),
+            radius: at(scene::Length(radius)),
+            material: at(scene::Ref::new(material)),
+            place: at(Place::default()),
+        }))
+    }
+
+    pub fn disk(self, centre: DVec3, normal: DVec3, radius: f64, material: &str) -> Self {
+        self.object(scene::Object::Disk(scene::Disk {
+            center: at(scene::Point(centre)),
+            normal: at(scene::Direction(normal.normalize())),
+            radius: at(scene::Length(radius)),
+            material: at(scene::Ref::new(material)),
+            place: at(Place::default()),
+        }))
+    }
+
+    pub fn plane(self, point: DVec3, normal: DVec3, material: &str) -> Self {
+        self.object(scene::Object::Plane(scene::Plane {
+            point: at(scene::Point(point)),
+            normal: at(scene::Direction(normal.normalize())),
+            material: at(scene::Ref::new(material)),
+            place: at(Place::default()),
+        }))
+    }
+
+    /// A mesh with one diffuse material of its own.
+    pub fn mesh(mut self, mesh: Mesh, unit: f64, albedo: f64) -> Self {
+        let name = format!("mesh{}", self.meshes.len());
+        let materials = vec![diffuse(&name, Spectrum::Constant(albedo), 0.0)];
+        self = self.object(scene::Object::Mesh(scene::Mesh {
+            file: at(scene::FileName { text: "by hand".into(), path: PathBuf::from("by hand") }),
+            unit: at(scene::Length(unit)),
+            mtl: at(None),
+            material: at(None),
+            materials: at(Vec::new()),
+            ambient: at(None),
+            place: at(Place::default()),
+        }));
+        *self.meshes.last_mut().unwrap() = Some(StagedMesh { mesh: Arc::new(mesh), materials });
+        self
+    }
+
+    fn object(mut self, object: scene::Object) -> Self {
+        let name = at(format!("object{:03}", self.meshes.len()));
+        self.scene.objects.push(Named { name, value: at(object) });
+        self.meshes.push(None);
+        self
+    }
+
+    /// Places the last object by one more step.
+    pub fn placed(mut self, step: Step) -> Self {
+        let object = &mut self.scene.objects.last_mut().unwrap().value.value;
+        let place = match object {
+            scene::Object::Disk(it) => &mut it.place,
+            scene::Object::Mesh(it) => &mut it.place,
+            scene::Object::Plane(it) => &mut it.place,
+            scene::Object::Quad(it) => &mut it.place,
+            scene::Object::Sphere(it) => &mut it.place,
+            scene::Object::Triangle(it) => &mut it.place,
+        };
+        place.value.0.push(step);
+        self
+    }
+
+    pub fn stage(&self) -> Stage {
+        Stage {
+            scene: Arc::new(self.scene.clone()),
+            meshes: self.meshes.clone(),
+            files: Vec::new(),
+            hash: SceneHash([0; 32]),
+        }
+    }
+
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        prepare::check(&self.stage())
+    }
+
+    /// Names of the codes of all faults.
+    pub fn codes(&self) -> Vec<&'static str> {
+        self.diagnostics().iter().map(|diagnostic| diagnostic.code.name).collect()
+    }
+
+    pub fn prepared(&self) -> Prepared {
+        let (prepared, found) = prepare::prepare(&self.stage(), &self.settings, &NoProgress);
+        prepared.unwrap_or_else(|| panic!("{found:?}"))
+    }
+
+    pub fn render(&self, seed: u64) -> Outcome {
+        render(&self.prepared(), seed, self.scene.stop.samples.0, &Patient)
+    }
+
+    pub fn picture(&self) -> Picture {
+        self.render(0).picture
+    }
+
+    /// Mean and standard error of the first pixel's green, over 16 seeds.
+    pub fn estimate(&self) -> Moments {
+        let prepared = self.prepared();
+        let mut moments = Moments::default();
+        for seed in 0..16 {
+            let outcome = render(&prepared, seed, self.scene.stop.samples.0, &Patient);
+            moments.add(f64::from(outcome.picture.pixels[0].g));
+        }
+        moments
+    }
+}
+
+pub fn render(prepared: &Prepared, seed: u64, samples: u64, watch: &dyn Watch) -> Outcome {
+    let settings = run::Settings { seed, samples };
+    let outcome = run::render(&prepared.world, &prepared.integrator, &settings, watch);
+    assert_eq!(outcome.invalid, None);
+    outcome
+}
+
+fn diffuse(name: &str, albedo: Spectrum, emission: f64) -> Named<scene::Material> {
+    let material = scene::Material::Diffuse(scene::Diffuse {
+        albedo: at(scene::Reflectance(albedo)),
+        emission: at(scene::Radiance(Spectrum::Constant(emission))),
+    });
+    Named { name: at(name.to_string()), value: at(material) }
+}
+
+/// Never stops anything; its clock stands still.
+pub struct Patient;
+
+impl Watch for Patient {
+    fn cancelled(&self) -> bool {
+        false
+    }
+    fn now(&self) -> f64 {
+        0.0
+    }
+    fn progress(&self, _done: u64, _total: u64) {}
+}
+
+/// A clock on which each reading is `step` seconds after the last, and patience for so many
+/// questions.
+pub struct Ticking {
+    step: f64,
+    readings: AtomicU64,
+    patience: AtomicU64,
+    pub last: AtomicU64,
+}
+
+impl Ticking {
+    pub fn new(step: f64, patience: u64) -> Self {
+        let readings = AtomicU64::new(0);
+        Self { step, readings, patience: AtomicU64::new(patience), last: AtomicU64::new(0) }
+    }
+}
+
+impl Watch for Ticking {
+    fn cancelled(&self) -> bool {
+        let one_less = |left: u64| left.checked_sub(1);
+        self.patience.fetch_update(Ordering::Relaxed, Ordering::Relaxed, one_less).is_err()
+    }
+    fn now(&self) -> f64 {
+        self.readings.fetch_add(1, Ordering::Relaxed) as f64 * self.step
+    }
+    fn progress(&self, done: u64, total: u64) {
+        assert!(done <= total);
+        self.last.fetch_max(done, Ordering::Relaxed);
+    }
+}
+
+/// A bumpy ball of 2 · 4ⁿ · 4 triangles or so with smooth normals, about the origin.
+pub fn bumpy_ball(rings: usize) -> Mesh {
+    let mut mesh = Mesh { material_names: vec!["clay".into()], ..Mesh::default() };
+    let around = 2 * rings;
+    let point = |i: usize, j: usize| {
+        let (a, b) = (
+            std::f64::consts::PI * i as f64 / rings as f64,
+            std::f64::consts::TAU * (j % around) as f64 / around as f64,
+        );
+        let sphere = dvec3(a.sin() * b.cos(), a.cos(), a.sin() * b.sin());
+        sphere * (1.0 + 0.1 * (5.0 * a).sin() * (3.0 * b).sin())
+    };
+    for i in 0..=rings {
+        for j in 0..around {
+            mesh.positions.push(point(i, j));
+            mesh.normals.push(point(i, j).normalize());
+        }
+    }
+    let index = |i: usize, j: usize| (i * around + j % around) as u32;
+    for i in 0..rings {
+        for j in 0..around {
+            let (a, b, c, d) = (index(i, j), index(i, j + 1), index(i + 1, j + 1), index(i + 1, j));
+            if i > 0 {
+                mesh.triangles.push([a, b, c]);
+            }
+            if i + 1 < rings {
+                mesh.triangles.push([a, c, d]);
+            }
+        }
+    }
+    mesh.normal_indices = mesh.triangles.clone();
+    mesh.slots = vec![0; mesh.triangles.len()];
+    mesh
+}
+
+/// A scene with something of everything: a smooth mesh, round things, a lamp, a sun, a sky.
+pub fn still_life() -> Hand {
+    Hand::new(direct())
+        .size(48, 40)
+        .samples(20)
+        .material("white", 0.8, 0.0)
+        .material("shining", 0.5, 7.0)
+        .mesh(bumpy_ball(16), 1.0, 0.7)
+        .sphere(dvec3(1.5, -0.3, 0.8), 0.7, "white")
+        .quad(dvec3(0.0, -1.0, 0.0), DVec3::Z * 3.0, DVec3::X * 3.0, "white")
+        .quad(dvec3(0.5, 3.0, 0.0), DVec3::X * 0.5, DVec3::Z * 0.5, "shining")
+        .disk(dvec3(-2.0, 1.0, 0.0), DVec3::X, 0.4, "shining")
+        .directional(dvec3(-1.0, -1.0, -0.5), 2.0)
+        .background(0.25)
+        .camera(dvec3(1.0, 2.0, 6.0), dvec3(0.0, 0.0, 0.0), 45.0)
+}
+
+/// The largest component-wise difference of two pictures.
+pub fn difference(a: &Picture, b: &Picture) -> f32 {
+    assert_eq!((a.width, a.height), (b.width, b.height));
+    let apart = |(a, b): (&Rgb, &Rgb)| {
+        let [r, g, b] = (*a - *b).to_array().map(f32::abs);
+        r.max(g).max(b)
+    };
+    a.pixels.iter().zip(&b.pixels).map(apart).fold(0.0, f32::max)
+}
