@@ -101,15 +101,13 @@ codes! {
     SCENE_CAMERA_TOO_FAR = "scene/camera-too-far";
     SCENE_CLOSED_LAMP = "scene/closed-lamp";
     SCENE_ENDLESS_LAMP = "scene/endless-lamp";
-    SCENE_FILM_TOO_LARGE = "scene/film-too-large";
     SCENE_FLAT_PLACE = "scene/flat-place";
     SCENE_LOST_TRIANGLES = "scene/lost-triangles";
     SCENE_NO_AREA = "scene/no-area";
     SCENE_NOTHING_SHINES = "scene/nothing-shines";
     SCENE_NOTHING_TO_SEE = "scene/nothing-to-see";
-    SCENE_PLANE_TOO_FAR = "scene/plane-too-far";
     SCENE_TOO_BRIGHT = "scene/too-bright";
-    SCENE_TOO_MANY_TRIANGLES = "scene/too-many-triangles";
+    SCENE_TOO_MUCH_MEMORY = "scene/too-much-memory";
     SCENE_TOO_SMALL = "scene/too-small";
     SCENE_UNEVEN_SCALE = "scene/uneven-scale";
     SYNTAX_UNEXPECTED = "syntax/unexpected";

@@ -243,7 +243,7 @@ impl Hand {
     }
 
     pub fn diagnostics(&self) -> Vec<Diagnostic> {
-        prepare::check(&self.stage())
+        prepare::check(&self.stage(), &self.settings)
     }
 
     /// Names of the codes of all faults.

@@ -77,7 +77,7 @@ pub fn beyond_numbers(name: &At<String>, object: Span) -> Diagnostic {
 /// A plane that lies out of sight.
 pub fn beyond_scene(name: &At<String>) -> Diagnostic {
     let headline = format!("the plane `{}` is too far from the scene", **name);
-    Diagnostic::error(Code::SCENE_PLANE_TOO_FAR, headline)
+    Diagnostic::error(Code::SCENE_BEYOND_NUMBERS, headline)
         .label(name.span, "farther away than single precision can tell, as the scene is small")
         .why("Everything is rendered in units of the scene's size; in these the distance of the plane overflows.")
         .help("check the unit of the plane's `point`, or leave it out: so far away, nothing of it is seen but its horizon")
@@ -86,7 +86,7 @@ pub fn beyond_scene(name: &At<String>) -> Diagnostic {
 /// More triangles than fit the memory.
 pub fn too_many_triangles(count: usize, most: usize) -> Diagnostic {
     let headline = format!("the scene has {count} triangles, and {most} are too many");
-    Diagnostic::error(Code::SCENE_TOO_MANY_TRIANGLES, headline)
+    Diagnostic::error(Code::SCENE_TOO_MUCH_MEMORY, headline)
         .why("A mesh is stored once for every object that shows it; so many triangles need more than 20 GB.")
         .help("use coarser meshes, or fewer objects")
 }
@@ -97,7 +97,7 @@ pub fn film_too_large(size_at: Span, size: [u64; 2], bytes: u64, most: u64) -> D
     let gib = |bytes: u64| bytes.div_ceil(1 << 30);
     let headline =
         format!("a picture of {width} × {height} pixels needs {} GiB of memory", gib(bytes));
-    Diagnostic::error(Code::SCENE_FILM_TOO_LARGE, headline)
+    Diagnostic::error(Code::SCENE_TOO_MUCH_MEMORY, headline)
         .label(size_at, format!("more than {} GiB", gib(most)))
         .why("Samples are summed up in double precision, and kept in blocks so that a sum never depends on how the work was shared out.")
         .help("make the film smaller, or render it in parts: `--crop x0,y0,x1,y1` needs memory for that part alone")
@@ -135,7 +135,7 @@ pub fn endless_lamp(name: &At<String>) -> Diagnostic {
 
 /// Triangles that single precision can not tell from lines.
 pub fn lost_triangles(name: &At<String>, lost: u64, of: usize) -> Diagnostic {
-    let headline = format!("{lost} of {of} triangles of `{}` are too thin to be seen", **name);
+    let headline = format!("`{}` loses {lost} of {of} triangles to rounding", **name);
     Diagnostic::warning(Code::SCENE_LOST_TRIANGLES, headline)
         .label(name.span, "is rendered without them")
         .why("Beside the size of the whole scene their corners coincide, or lie on a line, in single precision.")
