@@ -1,10 +1,34 @@
 //! Text → Scene. Knows words, not light; no disk: texts are handed in through a [`Library`].
 
+mod arithmetic;
+mod ast;
+mod check;
+mod defaults;
+mod difference;
+mod errors;
+mod eval;
+mod functions;
+mod import;
+mod limits;
+mod lower;
+mod order;
+mod parse;
+mod report;
+mod resolve;
+mod scan;
+mod value;
+
+use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::diag::{Diagnostic, Sources};
-use crate::scene::{At, Scene};
+use crate::diag::{Diagnostic, FileId, Sources, Span};
+use crate::scene::schema::{Kind, Type};
+use crate::scene::{At, KINDS, Scene};
+
+use difference::Composer;
+use eval::{Evaluator, FileFacts};
+use resolve::{Plan, TOP};
 
 /// Where the texts of scene files come from.
 pub trait Library {
@@ -40,7 +64,131 @@ pub fn compile(
     library: &dyn Library,
     sources: &mut Sources,
 ) -> Compiled {
-    let _ = (sets, library);
-    sources.add(path.to_string_lossy(), text);
-    Compiled { renders: Vec::new(), diagnostics: Vec::new() }
+    let mut ev = Evaluator::default();
+    let units = import::gather(path, text, library, sources, &mut ev);
+    let main = units[0].id;
+    let sets = read_sets(sets, main, path, &mut ev, units[0].tree.unit, sources);
+    let mut plan = resolve::plan(&ev, &units);
+    implicit_render(&mut plan, path, &units[0].tree.items, &units[0].tree.broken_words);
+    let sets = resolve::sets(&ev, &mut plan, sets);
+    let readable = ev.reports.errors() == 0;
+    let (lowered, missing) = check_renders(&ev, &plan, &sets, main);
+    tell_missing(&ev, &plan, &missing);
+    let renders = if readable { lowered } else { Vec::new() };
+    let reports = std::mem::take(&mut ev.reports);
+    Compiled { renders, diagnostics: reports.finish() }
+}
+
+/// The arguments of `--set`, each a source of its own.
+fn read_sets(
+    sets: &[String],
+    main: FileId,
+    path: &Path,
+    ev: &mut Evaluator,
+    unit: Option<f64>,
+    sources: &mut Sources,
+) -> Vec<ast::Set> {
+    let mut all = Vec::new();
+    for text in sets {
+        let id = sources.add("--set", text.as_str());
+        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
+        ev.add_file(id, FileFacts { folder, unit, first_line: Some(Span::new(main, 0, 0)) });
+        let quoted = |at: usize| text[..at].matches('"').count() % 2 == 1;
+        let equals = text.match_indices('=').map(|(at, _)| at).find(|at| !quoted(*at));
+        let Some(equals) = equals else {
+            let whole = Span::new(id, 0, text.len());
+            ev.reports.tell_text(vec![errors::syntax::set_argument(whole)]);
+            continue;
+        };
+        let mut said = text.clone();
+        said.replace_range(equals..=equals, ":");
+        let parsed = parse::set(&said, id);
+        ev.reports.tell_text(parsed.diagnostics);
+        all.extend(parsed.tree);
+    }
+    all
+}
+
+/// A file without `render` is one render called like the file, unless all it does is to define
+/// what others use.
+fn implicit_render(plan: &mut Plan, path: &Path, items: &[ast::Item], broken: &[String]) {
+    fn asks(items: &[ast::Item]) -> bool {
+        items.iter().any(|item| match item {
+            ast::Item::Render(_) => true,
+            ast::Item::For(each) => asks(&each.body),
+            _ => false,
+        })
+    }
+    let referred =
+        |word: &str| KINDS.iter().any(|kind| lower::references(&kind.ty).contains(&word));
+    let draws = plan.scopes[TOP].actions.iter().any(|action| !referred(action.kind.word));
+    let defines = items.iter().any(|item| !matches!(item, ast::Item::Use(_) | ast::Item::For(_)));
+    let asked = asks(items) || broken.iter().any(|word| word == "render");
+    if asked || (defines && !draws) {
+        return;
+    }
+    let allowed = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
+    let stem = path.file_stem().map_or("scene".into(), |stem| stem.to_string_lossy());
+    let name: String = stem.chars().map(|c| if allowed(c) { c } else { '_' }).collect();
+    plan.renders.push((At::new(name, plan.scopes[TOP].span), TOP));
+}
+
+/// A kind that a render lacks: which render, and the kind.
+type Missing = Vec<(usize, &'static Kind)>;
+
+/// Checks every render, and what no render uses.
+fn check_renders(
+    ev: &Evaluator,
+    plan: &Plan,
+    sets: &[std::rc::Rc<resolve::Action>],
+    main: FileId,
+) -> (Vec<Render>, Missing) {
+    let mut composer = Composer { ev, plan, sets, lenient: false };
+    let mut used = HashSet::new();
+    let mut renders = Vec::new();
+    let mut missing = Vec::new();
+    for (i, (name, scope)) in plan.renders.iter().enumerate() {
+        let before = ev.reports.errors();
+        let declared = composer.compose(*scope, &mut used);
+        let lowered = lower::lower(ev, &declared, name.span, None);
+        missing.extend(lowered.missing.into_iter().map(|kind| (i, kind)));
+        if let Some(scene) = lowered.scene.filter(|_| ev.reports.errors() == before) {
+            renders.push(Render { name: name.clone(), scene: Arc::new(scene) });
+        }
+    }
+    composer.lenient = true;
+    for (i, scope) in plan.scopes.iter().enumerate() {
+        if scope.actions.iter().any(|action| !used.contains(&action.path)) {
+            let declared = composer.compose(i, &mut HashSet::new());
+            lower::lower(ev, &declared, scope.span, Some(main));
+        }
+    }
+    (renders, missing)
+}
+
+/// Tells of kinds that must be stated: once, if no render has one.
+fn tell_missing(ev: &Evaluator, plan: &Plan, missing: &Missing) {
+    for kind in KINDS {
+        let lacking: Vec<_> =
+            missing.iter().filter(|(_, k)| k.word == kind.word).map(|(i, _)| *i).collect();
+        let all = lacking.len() == plan.renders.len();
+        let example = match kind.ty {
+            Type::OneOf(variants) => {
+                let bare = |r: &&crate::scene::schema::Record| {
+                    r.fields.iter().all(|f| f.default.is_some() || f.optional)
+                };
+                variants.all.iter().find(bare).map_or("…", |record| record.word)
+            }
+            _ => "…",
+        };
+        for i in lacking {
+            let (name, _) = &plan.renders[i];
+            let span = if all { plan.scopes[TOP].span } else { name.span };
+            let told = errors::render::missing_kind(kind.word, name, span, all, example);
+            ev.reports.tell_unknown(kind.word, told);
+            if all {
+                break;
+            }
+        }
+    }
 }

@@ -1,0 +1,347 @@
+//! The one rule of difference: what a render says, built from everything it builds on.
+//!
+//! `kind: value` states the whole, `kind.part: value` changes a part of what is stated, `without`
+//! removes. An item wins only over those its setup or render builds on.
+
+use std::collections::{BTreeMap, HashSet};
+use std::rc::Rc;
+use std::sync::Arc;
+
+use super::ast::Word;
+use super::check::{Declared, default_value, position};
+use super::errors::{name as names, render, types};
+use super::eval::Evaluator;
+use super::resolve::{Action, Plan, What};
+use super::value::{FieldValue, RecordValue, Thunk, Value, ValueKind};
+use crate::diag::Span;
+use crate::scene::KINDS;
+use crate::scene::schema::{self, Field, Type};
+
+/// Everything said of one declaration.
+type Group = Vec<(usize, Rc<Action>)>;
+
+/// Builds the declarations of a scope.
+pub struct Composer<'a> {
+    /// Computes values.
+    pub ev: &'a Evaluator,
+    /// All scopes.
+    pub plan: &'a Plan,
+    /// What `--set` says.
+    pub sets: &'a [Rc<Action>],
+    /// Parts and removals that meet nothing are not told: the setup may be meant to be used with
+    /// another one.
+    pub lenient: bool,
+}
+
+impl Composer<'_> {
+    /// The declarations of a scope. `used` collects the places of the items that took part.
+    pub fn compose(&self, scope: usize, used: &mut HashSet<Span>) -> Declared {
+        let mut groups: BTreeMap<(&'static str, Arc<str>), Group> = BTreeMap::new();
+        let lineage = &self.plan.scopes[scope].lineage;
+        let said = lineage.iter().flat_map(|scope| &self.plan.scopes[*scope].actions);
+        let sets = self.sets.iter().filter(|_| !self.lenient);
+        for (order, action) in said.chain(sets).enumerate() {
+            let key = (action.kind.word, action.name.text.clone());
+            groups.entry(key).or_default().push((order, action.clone()));
+        }
+        let stated: Vec<_> = groups
+            .iter()
+            .filter(|(_, group)| group.iter().any(|(_, a)| states(a)))
+            .map(|(key, _)| key.clone())
+            .collect();
+        let mut declared = Declared::new();
+        for (key, group) in groups {
+            let named = |kind: &str| -> Vec<&str> {
+                stated.iter().filter(|(k, _)| *k == kind).map(|(_, name)| &**name).collect()
+            };
+            match self.declaration(group, used, &named) {
+                Some(found) => {
+                    declared.insert(key, found);
+                }
+                // What is stated and wrong is not missing.
+                None if key.1.is_empty() => self.ev.reports.poison([key.0.to_string()]),
+                None => {}
+            }
+        }
+        declared
+    }
+
+    /// Whether an item of one scope wins over an item of another.
+    fn wins(&self, upper: &Action, lower: &Action) -> bool {
+        let sets = self.plan.scopes.len();
+        match (upper.scope == sets, lower.scope == sets) {
+            (true, lower_too) => !lower_too,
+            (false, true) => false,
+            _ => self.plan.builds_on(upper.scope, lower.scope),
+        }
+    }
+
+    fn declaration<'n>(
+        &self,
+        group: Group,
+        used: &mut HashSet<Span>,
+        named: &dyn Fn(&str) -> Vec<&'n str>,
+    ) -> Option<(Word, Value)> {
+        let covered = |lower: &Action| {
+            group.iter().any(|(_, upper)| self.wins(upper, lower) && covers(upper, lower))
+        };
+        let standing: Vec<_> = group.iter().filter(|(_, action)| !covered(action)).collect();
+        let mut clashing = HashSet::new();
+        for (i, (_, a)) in standing.iter().enumerate() {
+            for (j, (_, b)) in standing.iter().enumerate().skip(i + 1) {
+                let meet = covers(a, b) || covers(b, a);
+                if meet && !self.wins(a, b) && !self.wins(b, a) && !clashing.contains(&i) {
+                    self.tell_clash(a, b);
+                    clashing.insert(j);
+                }
+            }
+        }
+        let mut value: Option<(Word, Value)> = None;
+        for (i, (_, action)) in standing.iter().enumerate() {
+            if clashing.contains(&i) {
+                continue;
+            }
+            used.insert(action.path);
+            value = self.applied(value, action, &group, named)?;
+        }
+        value
+    }
+
+    fn tell_clash(&self, a: &Action, b: &Action) {
+        let label = |action: &Action| match self.plan.scopes.get(action.scope) {
+            Some(scope) => scope.label.clone(),
+            None => "`--set`".to_string(),
+        };
+        let path = if a.parts.len() <= b.parts.len() { a.text() } else { b.text() };
+        let (first, second) = (label(a), label(b));
+        let same = a.scope == b.scope;
+        self.ev.reports.tell(render::clash(&path, (a.path, &first), (b.path, &second), same));
+    }
+
+    /// The value after an action; None: something was told.
+    fn applied<'n>(
+        &self,
+        before: Option<(Word, Value)>,
+        action: &Action,
+        group: &Group,
+        named: &dyn Fn(&str) -> Vec<&'n str>,
+    ) -> Option<Option<(Word, Value)>> {
+        let kind = action.kind;
+        let said = match &action.what {
+            What::State(expr, env) => self.ev.eval(expr, env),
+            What::Remove => {
+                let there =
+                    group.iter().any(|(_, lower)| states(lower) && self.wins(action, lower));
+                if !there && !self.lenient {
+                    let all = named(kind.word);
+                    let name = &action.name;
+                    let told =
+                        names::unknown_target(kind.word, &name.text, name.span, &all, "remove");
+                    self.ev.reports.tell_unknown(&name.text, told);
+                }
+                return Some(None);
+            }
+        };
+        if action.parts.is_empty() {
+            return Some(Some((action.name.clone(), said)));
+        }
+        let before = match (before, kind.default) {
+            (Some(before), _) => before,
+            (None, Some(default)) => (action.name.clone(), default_value(self.ev, default)),
+            (None, None) => {
+                if !self.lenient {
+                    self.tell_nothing(action, &named(kind.word));
+                }
+                return None;
+            }
+        };
+        if said.is_broken() {
+            return None;
+        }
+        let root =
+            Action { parts: Vec::new(), what: What::Remove, name: action.name.clone(), ..*action };
+        let value =
+            self.change(&before.1, &kind.ty, &action.parts, said, &root.text(), action.path)?;
+        Some(Some((before.0, value)))
+    }
+
+    fn tell_nothing(&self, action: &Action, all: &[&str]) {
+        let (kind, name) = (action.kind.word, &action.name);
+        if action.kind.named {
+            let told = names::unknown_target(kind, &name.text, name.span, all, "change");
+            self.ev.reports.tell_unknown(&name.text, told);
+        } else {
+            let told = render::nothing_to_change(kind, &action.text(), action.path);
+            self.ev.reports.tell_unknown(kind, told);
+        }
+    }
+
+    /// `value` with the part at `parts` replaced by `new`. `path`: the way so far.
+    fn change(
+        &self,
+        value: &Value,
+        ty: &Type,
+        parts: &[Word],
+        new: Value,
+        path: &str,
+        place: Span,
+    ) -> Option<Value> {
+        let Some((part, rest)) = parts.split_first() else { return Some(new) };
+        if value.is_broken() {
+            return None;
+        }
+        let reports = &self.ev.reports;
+        match ty {
+            Type::OneOf(variants) => {
+                let record = as_record(value);
+                let word = record.as_ref().and_then(|record| record.word.clone());
+                let which = word.as_ref().and_then(|word| position(variants, &word.text));
+                // Anything else is told when the value itself is checked.
+                let (record, schema) = (record?, &variants.all[which?]);
+                self.change_field(value, &record, schema, parts, new, path, place)
+            }
+            Type::Record(schema) => {
+                let record = as_record(value)?;
+                self.change_field(value, &record, schema, parts, new, path, place)
+            }
+            Type::Map(element) => {
+                let mut record = as_record(value)?;
+                let Some(at) = record.fields.iter().position(|field| field.key.text == part.text)
+                else {
+                    if !self.lenient {
+                        let all: Vec<_> = record.fields.iter().map(|f| &*f.key.text).collect();
+                        reports.tell(render::no_such_key(path, part, &all));
+                    }
+                    return None;
+                };
+                let inner = self.ev.force(&record.fields[at].value);
+                let path = format!("{path}.{}", part.text);
+                let changed = self.change(&inner, element, rest, new, &path, place)?;
+                record.fields[at].value = Thunk::Ready(changed);
+                Some(rebuilt(value, record))
+            }
+            Type::Reference { kind, target } => match &value.kind {
+                ValueKind::Record(_) => self.change(value, target, parts, new, path, place),
+                _ => {
+                    let name = match &value.kind {
+                        ValueKind::Word(word) => word.text.to_string(),
+                        ValueKind::Text { text, .. } => text.to_string(),
+                        _ => return None,
+                    };
+                    let rest: Vec<_> = parts.iter().map(|part| &*part.text).collect();
+                    reports.tell(types::part_of_named(
+                        path,
+                        kind,
+                        &name,
+                        &rest.join("."),
+                        part.span,
+                    ));
+                    None
+                }
+            },
+            _ => {
+                reports.tell(types::no_parts(path, &value.described(), part.span));
+                None
+            }
+        }
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn change_field(
+        &self,
+        value: &Value,
+        record: &RecordValue,
+        schema: &'static schema::Record,
+        parts: &[Word],
+        new: Value,
+        path: &str,
+        place: Span,
+    ) -> Option<Value> {
+        let (part, rest) = parts.split_first()?;
+        let Some(field) = schema.fields.iter().find(|field| field.word == &*part.text) else {
+            if !(self.lenient && is_somewhere(&part.text)) {
+                let all: Vec<_> = schema.fields.iter().map(|field| field.word).collect();
+                let owner = if schema.word.is_empty() { path } else { schema.word };
+                let told = names::unknown_field(owner, part, &all);
+                self.ev.reports.tell(told.label(value.span, format!("`{owner}` is stated here")));
+            }
+            return None;
+        };
+        let mut record = record.clone();
+        let said = record.fields.iter().position(|said| said.key.text == part.text);
+        let inner = format!("{path}.{}", part.text);
+        let changed = match (said, rest.is_empty()) {
+            (_, true) => new,
+            (Some(at), false) => {
+                let before = self.ev.force(&record.fields[at].value);
+                self.change(&before, &field.ty, rest, new, &inner, place)?
+            }
+            (None, false) => {
+                let before = self.absent(field, &inner, place)?;
+                self.change(&before, &field.ty, rest, new, &inner, place)?
+            }
+        };
+        let field = FieldValue { key: part.clone(), value: Thunk::Ready(changed) };
+        match said {
+            Some(at) => record.fields[at] = field,
+            None => record.fields.push(field),
+        }
+        Some(rebuilt(value, record))
+    }
+
+    /// The value of a field that is not said.
+    fn absent(&self, field: &Field, path: &str, place: Span) -> Option<Value> {
+        if let Some(default) = field.default {
+            return Some(default_value(self.ev, default));
+        }
+        if !self.lenient {
+            self.ev.reports.tell(render::nothing_to_change(field.word, path, place));
+        }
+        None
+    }
+}
+
+/// Whether an action states a declaration whole.
+fn states(action: &Action) -> bool {
+    action.parts.is_empty() && matches!(action.what, What::State(..))
+}
+
+/// Whether a path is another one, or leads to it.
+fn covers(upper: &Action, lower: &Action) -> bool {
+    upper.parts.len() <= lower.parts.len()
+        && upper.parts.iter().zip(&lower.parts).all(|(a, b)| a.text == b.text)
+}
+
+/// A value as a record: a word alone is one without fields.
+fn as_record(value: &Value) -> Option<RecordValue> {
+    match &value.kind {
+        ValueKind::Record(record) if record.base.is_none() => Some((**record).clone()),
+        ValueKind::Word(word) => Some(RecordValue {
+            word: Some(word.clone()),
+            base: None,
+            fields: Vec::new(),
+            braces: value.span,
+            partial: false,
+        }),
+        _ => None,
+    }
+}
+
+fn rebuilt(value: &Value, record: RecordValue) -> Value {
+    Value { kind: ValueKind::Record(Rc::new(record)), span: value.span }
+}
+
+/// Whether any variant of the schema has a field of that name.
+fn is_somewhere(word: &str) -> bool {
+    fn inside(ty: &Type, word: &str) -> bool {
+        let records = match ty {
+            Type::OneOf(variants) => variants.all,
+            Type::Record(record) => std::slice::from_ref(*record),
+            Type::List(inner) | Type::Map(inner) => return inside(inner, word),
+            _ => return false,
+        };
+        let mut fields = records.iter().flat_map(|record| record.fields);
+        fields.any(|field| field.word == word || inside(&field.ty, word))
+    }
+    KINDS.iter().any(|kind| inside(&kind.ty, word))
+}

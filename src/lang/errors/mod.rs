@@ -1,0 +1,68 @@
+//! The faults of a scene file, one function each, by family.
+
+pub mod import;
+pub mod name;
+pub mod render;
+pub mod syntax;
+pub mod types;
+
+/// The words of `all` that look most like `word`, nearest first; at most three.
+pub fn nearest<'w>(word: &str, all: impl IntoIterator<Item = &'w str>) -> Vec<&'w str> {
+    let lower = word.to_lowercase();
+    let mut found: Vec<(f64, &str)> = all
+        .into_iter()
+        .filter(|other| !other.is_empty() && *other != word)
+        .map(|other| {
+            let other_lower = other.to_lowercase();
+            let edits = strsim::damerau_levenshtein(&lower, &other_lower) as f64;
+            let longest = lower.chars().count().max(other_lower.chars().count()).max(1) as f64;
+            let mut alike = 1.0 - edits / longest;
+            if lower.len() > 2 && (other_lower.contains(&lower) || lower.contains(&other_lower)) {
+                alike = alike.max(0.61);
+            }
+            (alike, other)
+        })
+        .filter(|(alike, _)| *alike >= 0.5)
+        .collect();
+    found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
+    found.dedup_by_key(|(_, word)| *word);
+    let best = found.first().map_or(0.0, |(alike, _)| *alike);
+    found.retain(|(alike, _)| *alike > best - 0.25);
+    found.into_iter().map(|(_, word)| word).take(3).collect()
+}
+
+/// "`a`, `b` or `c`".
+pub fn listed<'w>(words: impl IntoIterator<Item = &'w str>, last: &str) -> String {
+    let words: Vec<_> = words.into_iter().map(|word| format!("`{word}`")).collect();
+    match words.split_last() {
+        None => String::new(),
+        Some((only, [])) => only.clone(),
+        Some((end, rest)) => format!("{} {last} {end}", rest.join(", ")),
+    }
+}
+
+/// "a length", "an angle".
+pub fn with_article(noun: &str) -> String {
+    let vowel = noun.trim_start_matches('`').starts_with(['a', 'e', 'i', 'o', 'u']);
+    format!("{} {noun}", if vowel { "an" } else { "a" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nearest_names_are_near() {
+        let all = ["albedo", "emission", "radius"];
+        assert_eq!(nearest("albdo", all), ["albedo"]);
+        assert_eq!(nearest("Radius", all), ["radius"]);
+        assert!(nearest("file", all).is_empty());
+    }
+
+    #[test]
+    fn lists_read_as_sentences() {
+        assert_eq!(listed(["a", "b", "c"], "or"), "`a`, `b` or `c`");
+        assert_eq!(listed(["a"], "or"), "`a`");
+        assert_eq!(with_article("angle"), "an angle");
+    }
+}

@@ -1,0 +1,320 @@
+//! `name/…`: a word that nothing here is called, or that two things are called.
+
+use super::{listed, nearest, with_article};
+use crate::diag::{Code, Diagnostic, Span};
+use crate::lang::ast::Word;
+use crate::math::units;
+use crate::scene::KINDS;
+
+/// "did you mean `a`?" with a mend for each, or the list of all when they are few.
+fn offer(told: Diagnostic, found: &str, span: Span, all: &[&str], what: &str) -> Diagnostic {
+    let near = nearest(found, all.iter().copied());
+    let mut told = match (near.is_empty(), all.len()) {
+        (false, _) => told.help(format!("did you mean {}?", listed(near.iter().copied(), "or"))),
+        (true, 0) => told,
+        (true, _) => {
+            let mut words: Vec<_> = all.iter().copied().take(12).collect();
+            words.sort_unstable();
+            let rest = if all.len() > 12 { ", and others" } else { "" };
+            told.help(format!("{what} {}{rest}", listed(words, "and")))
+        }
+    };
+    for word in near {
+        told = told.mend(format!("write `{word}`"), span, word);
+    }
+    if all.len() > 1 && all.len() <= 12 && told.why.is_none() && !told.mends.is_empty() {
+        let mut words = all.to_vec();
+        words.sort_unstable();
+        told = told.why(format!("{} {}.", capital(what), listed(words, "and")));
+    }
+    told
+}
+
+fn capital(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |c| c.to_uppercase().chain(chars).collect())
+}
+
+/// A number followed by a word that is no unit.
+pub fn unknown_unit(found: &str, span: Span) -> Diagnostic {
+    let told = Diagnostic::error(Code::NAME_UNKNOWN_UNIT, format!("`{found}` is no unit"))
+        .label(span, "no unit is called so");
+    let usual = match found.to_lowercase().as_str() {
+        "degree" | "degrees" | "°" => Some("deg"),
+        "meter" | "meters" | "metre" | "metres" => Some("m"),
+        "centimeter" | "centimeters" | "centimetre" | "centimetres" => Some("cm"),
+        "millimeter" | "millimeters" | "millimetre" | "millimetres" => Some("mm"),
+        "micron" | "microns" | "micrometer" | "micrometre" => Some("um"),
+        "nanometer" | "nanometers" | "nanometre" | "nanometres" => Some("nm"),
+        "sec" | "second" | "seconds" => Some("s"),
+        "minute" | "minutes" => Some("min"),
+        "hour" | "hours" => Some("h"),
+        "radian" | "radians" => Some("rad"),
+        "watt" | "watts" => Some("W"),
+        "kelvin" => Some("K"),
+        "stop" | "stops" => Some("ev"),
+        _ => None,
+    };
+    if let Some(usual) = usual {
+        return told.help(format!("write `{usual}`")).mend(format!("write `{usual}`"), span, usual);
+    }
+    let all: Vec<_> = units::UNITS.iter().map(|unit| unit.word).collect();
+    let told = if nearest(found, all.iter().copied()).is_empty() {
+        told
+    } else {
+        told.why("Units: `nm um mm cm m km`, `deg rad`, `sr`, `ms s min h`, `K`, `mW W kW`, `lm cd lx nit`, `ev`, `%`.")
+    };
+    offer(told, found, span, &all, "units are")
+}
+
+/// A word where a quantity belongs that is no let and no unit.
+pub fn unknown_value(found: &str, span: Span) -> Diagnostic {
+    let told =
+        Diagnostic::error(Code::NAME_UNKNOWN_NAME, format!("nothing is called `{found}` here"))
+            .label(span, "no value has this name");
+    let all: Vec<_> = units::UNITS.iter().map(|unit| unit.word).chain(["pi"]).collect();
+    match found.trim_end_matches(|c: char| c.is_ascii_digit()) {
+        unit if unit != found && units::find(unit).is_some() => {
+            let power = format!("{unit}^{}", &found[unit.len()..]);
+            told.help(format!("write `{power}` for the power of a unit")).mend(
+                format!("write `{power}`"),
+                span,
+                power,
+            )
+        }
+        _ if nearest(found, all.iter().copied()).is_empty() => {
+            told.help(format!("write a number, or define it: `let {found} = …`"))
+        }
+        _ => offer(told, found, span, &all, "units are"),
+    }
+}
+
+/// A function that does not exist.
+pub fn unknown_function(found: &str, span: Span, defined: &[&str]) -> Diagnostic {
+    let mut all = crate::lang::functions::ALL.to_vec();
+    all.extend_from_slice(defined);
+    let told =
+        Diagnostic::error(Code::NAME_UNKNOWN_FUNCTION, format!("no function is called `{found}`"))
+            .label(span, "not known");
+    let variant = KINDS.iter().any(|kind| match kind.ty {
+        crate::scene::schema::Type::OneOf(v) => v.all.iter().any(|record| record.word == found),
+        _ => false,
+    });
+    if variant {
+        return told.help(format!("fields stand in braces: `{found} {{ … }}`"));
+    }
+    match found {
+        "translate" => told.help("write `move`").mend("write `move`", span, "move"),
+        "color" | "colour" => told.help("write `rgb`").mend("write `rgb`", span, "rgb"),
+        "spectrum" | "blackbody" | "sellmeier" | "cauchy" | "data" | "complex" | "upsample" => {
+            told.help("spectra are numbers, `rgb(…)` or `srgb(…)` in this version")
+        }
+        _ => offer(told, found, span, &all, "functions are"),
+    }
+}
+
+/// An item of a kind that does not exist.
+pub fn unknown_kind(word: &Word) -> Diagnostic {
+    let found = &word.text;
+    let told = Diagnostic::error(
+        Code::NAME_UNKNOWN_KIND,
+        format!("there is no kind of item called `{found}`"),
+    )
+    .label(word.span, "not known");
+    let all: Vec<_> = KINDS.iter().map(|kind| kind.word).chain(["setup", "render"]).collect();
+    offer(told, found, word.span, &all, "an item is one of")
+}
+
+/// `without` of a kind that has no names, or does not exist.
+pub fn without_kind(word: &Word) -> Diagnostic {
+    let named: Vec<_> = KINDS.iter().filter(|k| k.named).map(|k| k.word).collect();
+    let headline =
+        format!("`without` takes no `{}`: only what has a name can be removed", word.text);
+    Diagnostic::error(Code::NAME_UNKNOWN_KIND, headline)
+        .label(word.span, "has no name")
+        .help(format!("what can be removed is {}", listed(named, "or")))
+}
+
+/// A kind whose items have names, without one.
+pub fn missing_name(kind: &Word) -> Diagnostic {
+    let what = with_article(&kind.text);
+    Diagnostic::error(Code::NAME_MISSING_NAME, format!("{what} has a name, and this has none"))
+        .label(kind.span, "a name belongs after this word")
+        .why(format!("A scene may have more than one {}; names tell them apart.", kind.text))
+        .help(format!("write `{} NAME: …`", kind.text))
+}
+
+/// A name where the kind has none.
+pub fn unwanted_name(kind: &Word, name: &str, span: Span) -> Diagnostic {
+    let what = &kind.text;
+    let blank = Span { start: kind.span.end, end: span.end, file: span.file };
+    Diagnostic::error(
+        Code::NAME_UNWANTED_NAME,
+        format!("`{what}` has no name, and this is called `{name}`"),
+    )
+    .label(span, "no name belongs here")
+    .why(format!("A picture has one {what}."))
+    .help(format!("write `{what}: …`"))
+    .mend("take the name away", blank, "")
+}
+
+/// A field a record does not have.
+pub fn unknown_field(owner: &str, key: &Word, all: &[&str]) -> Diagnostic {
+    let told = Diagnostic::error(
+        Code::NAME_UNKNOWN_FIELD,
+        format!("`{owner}` has no field `{}`", key.text),
+    )
+    .label(key.span, "no such field");
+    match all {
+        [] => told.help("it has no fields: write `{}` or nothing"),
+        _ => offer(told, &key.text, key.span, all, "its fields are"),
+    }
+}
+
+/// A field twice in a record.
+pub fn field_twice(key: &Word, first: Span, owner: &str) -> Diagnostic {
+    Diagnostic::error(
+        Code::NAME_FIELD_TWICE,
+        format!("`{}` is stated twice in `{owner}`", key.text),
+    )
+    .label(key.span, "stated again")
+    .label(first, "stated first")
+    .help("keep one of them")
+}
+
+/// Fields without the word that says of what.
+pub fn which_variant(place: &str, name: &str, all: &[&str], braces: Span) -> Diagnostic {
+    let mut all = all.to_vec();
+    all.sort_unstable();
+    let example = all.first().copied().unwrap_or("");
+    Diagnostic::error(
+        Code::NAME_WHICH_VARIANT,
+        format!("`{place}` does not say which {name} it is"),
+    )
+    .label(
+        Span { end: braces.start, ..braces },
+        format!("the word for {} belongs before the brace", with_article(name)),
+    )
+    .help(format!("write {} before the brace, as in `{example} {{ … }}`", listed(all, "or")))
+}
+
+/// A variant that does not exist.
+pub fn unknown_variant(
+    place: &str,
+    name: &str,
+    word: &Word,
+    all: &[&str],
+    declared: &[&str],
+) -> Diagnostic {
+    let headline = format!("`{place}`: there is no {name} `{}`", word.text);
+    let told = Diagnostic::error(Code::NAME_UNKNOWN_VARIANT, headline)
+        .label(word.span, format!("no {name} is called so"));
+    let near_declared = nearest(&word.text, declared.iter().copied());
+    let near = nearest(&word.text, all.iter().copied());
+    match (near.is_empty(), near_declared.is_empty()) {
+        (true, false) => offer(told, &word.text, word.span, declared, "declared are"),
+        _ => offer(told, &word.text, word.span, all, &format!("the choices of {name} are")),
+    }
+}
+
+/// A plain word that is none of those expected.
+pub fn unknown_word(what: &str, found: &str, all: &[&str], span: Span) -> Diagnostic {
+    let told = Diagnostic::error(Code::NAME_UNKNOWN_WORD, format!("{what} cannot be `{found}`"))
+        .label(span, "none of its words");
+    offer(told, found, span, all, "its words are")
+}
+
+/// A declaration that does not exist in a render.
+pub fn unknown_declaration(
+    place: &str,
+    kind: &str,
+    word: &Word,
+    declared: &[&str],
+    variants: &[&str],
+) -> Diagnostic {
+    let headline = format!("there is no {kind} called `{}`", word.text);
+    let told = Diagnostic::error(Code::NAME_UNKNOWN_DECLARATION, headline)
+        .label(word.span, format!("{place} names {}", with_article(kind)));
+    let near = nearest(&word.text, declared.iter().copied());
+    if near.is_empty() && declared.is_empty() {
+        let name = &word.text;
+        let shape =
+            variants.first().map_or(String::new(), |v| format!(": `{kind} {name}: {v} {{ … }}`"));
+        return told.why(format!("No {kind} is declared.")).help(format!("declare it{shape}"));
+    }
+    let told = match near.is_empty() {
+        false => told,
+        true => told.why(format!("A {kind} is declared by `{kind} {}: …`.", word.text)),
+    };
+    offer(told, &word.text, word.span, declared, &format!("the {kind}s declared are"))
+}
+
+/// A part of a declaration that does not exist.
+pub fn unknown_target(
+    kind: &str,
+    name: &str,
+    span: Span,
+    declared: &[&str],
+    verb: &str,
+) -> Diagnostic {
+    let headline = format!("there is no {kind} called `{name}` to {verb}");
+    let told = Diagnostic::error(Code::NAME_UNKNOWN_DECLARATION, headline)
+        .label(span, format!("nothing before this states {kind} `{name}`"));
+    match declared {
+        [] => told.help(format!("state it first: `{kind} {name}: …`")),
+        _ => offer(told, name, span, declared, &format!("the {kind}s stated are")),
+    }
+}
+
+/// A base that does not exist.
+pub fn unknown_setup(word: &Word, all: &[&str]) -> Diagnostic {
+    let headline = format!("no setup or render is called `{}`", word.text);
+    let told = Diagnostic::error(Code::NAME_UNKNOWN_SETUP, headline).label(word.span, "not known");
+    match all {
+        [] => told.help(format!("write it: `setup {} {{ … }}`", word.text)),
+        _ => offer(told, &word.text, word.span, all, "there are"),
+    }
+}
+
+/// A name for two things.
+pub fn defined_twice(what: &str, word: &Word, first: Span) -> Diagnostic {
+    let headline = format!("the {what} `{}` is defined twice", word.text);
+    Diagnostic::error(Code::NAME_DEFINED_TWICE, headline)
+        .label(word.span, "defined again")
+        .label(first, "defined first")
+        .why("No name hides another, so that each means one thing wherever it is read.")
+        .help("give one of them another name")
+}
+
+/// A name that the language has taken.
+pub fn taken(word: &Word, what: &str) -> Diagnostic {
+    let headline = format!("`{}` cannot be a name: it is {what}", word.text);
+    Diagnostic::error(Code::NAME_TAKEN, headline)
+        .label(word.span, format!("{what} already"))
+        .help("choose another name")
+}
+
+/// Lets that need each other.
+pub fn circle(words: &[Word]) -> Diagnostic {
+    let names: Vec<_> = words.iter().map(|word| &*word.text).collect();
+    let headline = match names.as_slice() {
+        [one] => format!("`{one}` depends on itself"),
+        _ => format!("{} depend on each other in a circle", listed(names.iter().copied(), "and")),
+    };
+    let mut told = Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, headline);
+    for (i, word) in words.iter().enumerate() {
+        let next = &words[(i + 1) % words.len()].text;
+        told = told.label(word.span, format!("`{}` needs `{next}`", word.text));
+    }
+    told.help("define one of them without the others")
+}
+
+/// A declaration that names itself.
+pub fn itself(kind: &str, word: &Word) -> Diagnostic {
+    let name = &word.text;
+    Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, format!("{kind} `{name}` is made of itself"))
+        .label(word.span, format!("the {kind} called `{name}`, not the word of the language"))
+        .why("A bare word means a declaration first; before a brace it is always a word of the language.")
+        .help(format!("write `{name} {{}}`"))
+        .mend(format!("write `{name} {{}}`"), word.span, format!("{name} {{}}"))
+}

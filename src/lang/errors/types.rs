@@ -1,0 +1,283 @@
+//! `type/…`: a value that its place cannot take.
+
+use super::{listed, with_article};
+use crate::diag::{Code, Diagnostic, Span};
+use crate::lang::ast::Word;
+use crate::lang::limits;
+use crate::lang::value::neat;
+use crate::math::units::{Dimension, UNITS};
+use crate::scene::schema::{Bound, Range};
+
+/// The likeliest units of a dimension, as written after a number.
+fn units_of(dimension: Dimension) -> Vec<String> {
+    match dimension {
+        Dimension::LENGTH => ["m", "cm", "mm"].map(String::from).to_vec(),
+        Dimension::ANGLE => vec!["deg".into(), "rad".into()],
+        _ => {
+            let known = UNITS.iter().filter(|unit| unit.dimension == dimension);
+            let known: Vec<_> = known.map(|unit| unit.word.to_string()).take(3).collect();
+            if known.is_empty() { vec![dimension.unit()] } else { known }
+        }
+    }
+}
+
+/// How a value of a dimension may look.
+pub fn example(dimension: Dimension) -> String {
+    let unit = units_of(dimension).into_iter().next().unwrap_or_default();
+    if unit.is_empty() { "1".into() } else { format!("1 {unit}") }
+}
+
+/// Another kind of value than expected.
+pub fn mismatch(what: &str, expected: &str, found: &str, span: Span) -> Diagnostic {
+    Diagnostic::error(Code::TYPE_MISMATCH, format!("{what}: expected {expected}, found {found}"))
+        .label(span, format!("expected {expected}"))
+}
+
+/// Something that is no list where a list belongs.
+pub fn list(what: &str, found: &str, span: Span) -> Diagnostic {
+    mismatch(what, "a list in square brackets", found, span).help("write `[…]` around it").mend(
+        "write `[` before it",
+        Span { end: span.start, ..span },
+        "[",
+    )
+}
+
+/// A quantity of another dimension.
+pub fn dimension(what: &str, expected: &str, found: &str, span: Span) -> Diagnostic {
+    Diagnostic::error(
+        Code::TYPE_WRONG_DIMENSION,
+        format!("{what}: expected {expected}, found {found}"),
+    )
+    .label(span, format!("this is {found}"))
+}
+
+/// A bare number where a unit matters.
+pub fn missing_unit(what: &str, dimension: Dimension, value: f64, span: Span) -> Diagnostic {
+    let units = units_of(dimension);
+    let choices: Vec<_> = units.iter().map(|unit| format!("{} {unit}", neat(value))).collect();
+    let name = dimension.name();
+    let headline = format!("{what} is {name}: `{}` needs a unit", neat(value));
+    let mut told = Diagnostic::error(Code::TYPE_MISSING_UNIT, headline)
+        .label(span, "a unit belongs after this")
+        .help(format!("write {}", listed(choices.iter().map(String::as_str), "or")));
+    for unit in units {
+        told =
+            told.mend(format!("write `{} {unit}`", neat(value)), span.after(), format!(" {unit}"));
+    }
+    told
+}
+
+/// A bare colour where a unit matters.
+pub fn colour_without_unit(what: &str, dimension: Dimension, span: Span) -> Diagnostic {
+    let unit = dimension.unit().replacen("1/", "m^0/", 1);
+    let name = dimension.name();
+    Diagnostic::error(
+        Code::TYPE_MISSING_UNIT,
+        format!("{what} is {name}: this colour needs a unit"),
+    )
+    .label(span, "a unit belongs after this")
+    .help(format!("write `* {unit}` after it"))
+    .mend(format!("write `* {unit}`"), span.after(), format!(" * {unit}"))
+}
+
+/// Beyond its bounds.
+pub fn out_of_range(
+    what: &str,
+    found: &str,
+    range: &Range,
+    show: &dyn Fn(f64) -> String,
+    span: Span,
+) -> Diagnostic {
+    let low = match range.low {
+        Bound::None => None,
+        Bound::Inclusive(low) => Some(format!("at least {}", show(low))),
+        Bound::Exclusive(low) => Some(format!("more than {}", show(low))),
+    };
+    let high = match range.high {
+        Bound::None => None,
+        Bound::Inclusive(high) => Some(format!("at most {}", show(high))),
+        Bound::Exclusive(high) => Some(format!("less than {}", show(high))),
+    };
+    let bounds: Vec<_> = low.into_iter().chain(high).collect();
+    let bounds = bounds.join(" and ");
+    Diagnostic::error(Code::TYPE_OUT_OF_RANGE, format!("{what} must be {bounds}, and is {found}"))
+        .label(span, format!("must be {bounds}"))
+}
+
+/// Fields that must be given.
+pub fn missing_fields(
+    owner: &str,
+    place: &str,
+    missing: &[(&str, String)],
+    at: Span,
+    braces: Span,
+) -> Diagnostic {
+    let names = listed(missing.iter().map(|(word, _)| *word), "and");
+    let texts: Vec<_> =
+        missing.iter().map(|(word, example)| format!("{word}: {example}")).collect();
+    let headline = match owner == place {
+        true => format!("`{place}` lacks {names}"),
+        false => format!("`{place}`: `{owner}` lacks {names}"),
+    };
+    let plural = if missing.len() == 1 { "it" } else { "they" };
+    let told = Diagnostic::error(Code::TYPE_MISSING_FIELD, headline)
+        .label(at, format!("{names} must be given here"))
+        .why(format!("There is no default for what {plural} should be."));
+    if at == braces && owner != place {
+        return told.help(format!("write `{owner} {{ {} }}`", texts.join(", ")));
+    }
+    told.help(format!("add `{}`", texts.join(", ")))
+}
+
+/// A count that is none.
+pub fn not_whole(what: &str, found: f64, span: Span) -> Diagnostic {
+    let found = neat(found);
+    Diagnostic::error(Code::TYPE_NOT_WHOLE, format!("{what} is a count, and `{found}` is none"))
+        .label(span, "a whole number belongs here, zero or more")
+}
+
+/// Two or four coordinates.
+pub fn three_coordinates(what: &str, found: usize, span: Span) -> Diagnostic {
+    let headline = format!("{what} has three coordinates, and here stand {found}");
+    Diagnostic::error(Code::TYPE_VECTOR_SIZE, headline)
+        .label(span, "expected x, y and z")
+        .why("`273 -800` is one number, a difference: a comma parts `273, -800`.")
+        .help("write `(x, y, z)`")
+}
+
+/// Four or more components.
+pub fn long_vector(found: usize, span: Span) -> Diagnostic {
+    Diagnostic::error(
+        Code::TYPE_VECTOR_SIZE,
+        format!("a vector has two or three components, not {found}"),
+    )
+    .label(span, "too many")
+    .help("write a list in square brackets: `[1, 2, 3, 4]`")
+}
+
+/// (0, 0, 0) as a direction.
+pub fn zero_direction(what: &str, span: Span) -> Diagnostic {
+    Diagnostic::error(Code::TYPE_ZERO_DIRECTION, format!("{what}: zero is no direction"))
+        .label(span, "points nowhere")
+        .help("write a vector with a length, or one of `x`, `-x`, `y`, `-y`, `z`, `-z`")
+}
+
+/// scale(0).
+pub fn zero_scale(span: Span) -> Diagnostic {
+    Diagnostic::error(Code::TYPE_OUT_OF_RANGE, "a scale by zero leaves nothing to be seen")
+        .label(span, "must not be 0")
+        .help("write a factor above 0, or below for a mirror image")
+}
+
+/// Bare coordinates in a file without a unit.
+pub fn no_file_unit(span: Span, first_line: Option<Span>) -> Diagnostic {
+    let told =
+        Diagnostic::error(Code::TYPE_NO_FILE_UNIT, "a bare coordinate, and the file names no unit")
+            .label(span, "metres or millimetres?");
+    let help = "write the unit of the file's coordinates in its first line: `scn 1 in m`";
+    match first_line {
+        Some(line) => {
+            told.label(line, "no unit here").help(help).mend("write `in m`", line.after(), " in m")
+        }
+        None => told.help(help),
+    }
+}
+
+/// `1 m + 1 s`
+pub fn sum_of(left: &str, a: Span, right: &str, b: Span, operator: Span) -> Diagnostic {
+    Diagnostic::error(
+        Code::TYPE_WRONG_DIMENSION,
+        format!("{left} and {right} have no sum or difference"),
+    )
+    .label(operator, "between two kinds of quantities")
+    .label(a, left)
+    .label(b, right)
+    .help("give both the same kind of unit")
+}
+
+/// Arithmetic with something that has none.
+pub fn no_arithmetic(found: &str, span: Span, operator: Span) -> Diagnostic {
+    Diagnostic::error(Code::TYPE_NO_ARITHMETIC, format!("no arithmetic is made with {found} here"))
+        .label(operator, "this operator")
+        .label(span, found)
+        .why("Numbers and colours have sums, products and quotients; vectors have sums, and products with a number.")
+}
+
+/// Overflow.
+pub fn not_finite(span: Span) -> Diagnostic {
+    Diagnostic::error(Code::TYPE_NOT_FINITE, "this has no finite value")
+        .label(span, "too large, or divided by zero")
+        .help("look for a division by zero, or a number that grows beyond 1.8e308")
+}
+
+/// Deeper than the limit.
+pub fn too_deep(span: Span) -> Diagnostic {
+    let headline = format!("this needs more than {} values inside each other", limits::DEPTH);
+    Diagnostic::error(Code::TYPE_TOO_DEEP, headline)
+        .label(span, "one too many")
+        .help("shorten the chain of definitions")
+}
+
+/// A function without arguments in parentheses.
+pub fn function_as_value(used: &Word, defined: &Word) -> Diagnostic {
+    let headline = format!("`{}` is a function: it wants arguments", used.text);
+    Diagnostic::error(Code::TYPE_ARGUMENTS, headline)
+        .label(used.span, "arguments in parentheses belong after this")
+        .label(defined.span, "defined here")
+        .help(format!("write `{}(…)`", used.text))
+}
+
+/// A value called like a function.
+pub fn not_a_function(used: &Word, defined: Span) -> Diagnostic {
+    Diagnostic::error(Code::TYPE_ARGUMENTS, format!("`{}` is a value, no function", used.text))
+        .label(used.span, "takes no arguments")
+        .label(defined, "defined here")
+        .help(format!("write `{}` alone", used.text))
+}
+
+/// Too many or too few arguments.
+pub fn arguments(function: &str, params: &[&str], found: usize, span: Span) -> Diagnostic {
+    let n = params.len();
+    let s = if n == 1 { "" } else { "s" };
+    let headline = format!("`{function}` takes {n} argument{s}, and here stand {found}");
+    Diagnostic::error(Code::TYPE_ARGUMENTS, headline)
+        .label(span, format!("expected {n} argument{s}"))
+        .help(format!("write `{function}({})`", params.join(", ")))
+}
+
+/// A range that holds nothing or never ends.
+pub fn empty_range(standstill: bool, span: Span) -> Diagnostic {
+    let (headline, help) = match standstill {
+        true => ("a range with step 0 never ends", "write a step other than 0"),
+        false => (
+            "this range goes the wrong way and is empty",
+            "write the smaller bound first, or a negative `step`",
+        ),
+    };
+    Diagnostic::error(Code::TYPE_EMPTY_RANGE, headline).label(span, "holds nothing").help(help)
+}
+
+/// The head of a loop that is no list.
+pub fn no_list(found: &str, span: Span) -> Diagnostic {
+    let headline = format!("a loop runs over a list or a range, not over {found}");
+    Diagnostic::error(Code::TYPE_MISMATCH, headline)
+        .label(span, format!("this is {found}"))
+        .help("write a list such as `[1, 2]`, or a range such as `1 to 9`")
+}
+
+/// A path that goes on into something without parts.
+pub fn no_parts(path: &str, found: &str, span: Span) -> Diagnostic {
+    Diagnostic::error(Code::TYPE_NO_PARTS, format!("`{path}` has no parts: it is {found}"))
+        .label(span, "nothing to be found inside")
+        .help(format!("state `{path}` as a whole"))
+}
+
+/// A path that goes on through a name.
+pub fn part_of_named(path: &str, kind: &str, name: &str, rest: &str, span: Span) -> Diagnostic {
+    let headline = format!("`{path}` is only the name of {}", with_article(kind));
+    Diagnostic::error(Code::TYPE_NO_PARTS, headline)
+        .label(span, format!("this would change {kind} `{name}`, wherever it is used"))
+        .help(format!(
+            "write `{kind} {name}.{rest}: …` to change it everywhere, or state another {kind} here"
+        ))
+}

@@ -1,0 +1,449 @@
+//! Expressions → values. Pure; names are looked up where an expression was written.
+
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::Arc;
+
+use super::arithmetic;
+use super::ast::{Expr, ExprKind, Let, Name, Piece, Record, Word};
+use super::errors::{name as names, render, types};
+use super::report::Reports;
+use super::value::{Binding, Bound, Env, FieldValue, Frame, RecordValue, Thunk, Value, ValueKind};
+use super::{functions, limits};
+use crate::diag::{FileId, Span};
+use crate::math::units::{self, Dimension};
+
+/// What the evaluator knows of a file.
+#[derive(Clone, Debug, Default)]
+pub struct FileFacts {
+    /// Its folder: names of files are relative to it.
+    pub folder: PathBuf,
+    /// Metres of a bare coordinate.
+    pub unit: Option<f64>,
+    /// The place of its first line, to tell about a missing unit.
+    pub first_line: Option<Span>,
+}
+
+/// Computes values and counts what that costs.
+#[derive(Default)]
+pub struct Evaluator {
+    /// Where faults are told.
+    pub reports: Reports,
+    files: HashMap<FileId, FileFacts>,
+    frames: RefCell<Vec<Rc<Frame>>>,
+    items: Cell<usize>,
+    depth: Cell<usize>,
+}
+
+impl Drop for Evaluator {
+    /// Frames hold lets that hold frames; this parts them.
+    fn drop(&mut self) {
+        self.frames.borrow().iter().for_each(|frame| frame.names.borrow_mut().clear());
+    }
+}
+
+/// Expressions inside each other, names and calls included, before an error is told: deep enough
+/// for [`limits::DEPTH`] brackets, shallow enough for the stack.
+const NESTING: usize = 6 * limits::DEPTH;
+
+impl Evaluator {
+    /// Makes a file known.
+    pub fn add_file(&mut self, file: FileId, facts: FileFacts) {
+        self.files.insert(file, facts);
+    }
+
+    /// The folder names of files in a text are relative to.
+    pub fn folder(&self, file: FileId) -> &Path {
+        self.files.get(&file).map_or(Path::new(""), |facts| &facts.folder)
+    }
+
+    /// Metres of a bare coordinate in a file; tells if its first line does not say.
+    pub fn unit(&self, file: FileId, span: Span) -> Option<f64> {
+        let facts = self.files.get(&file)?;
+        if facts.unit.is_none() {
+            self.reports.tell(types::no_file_unit(span, facts.first_line));
+        }
+        facts.unit
+    }
+
+    /// New names inside `outer`.
+    pub fn frame(&self, outer: Option<&Env>) -> Env {
+        let frame = Rc::new(Frame { names: RefCell::default(), outer: outer.cloned() });
+        self.frames.borrow_mut().push(frame.clone());
+        Env(frame)
+    }
+
+    /// Defines a name; tells if it is taken.
+    pub fn define(&self, env: &Env, name: &Word, what: Bound) {
+        let what = match reserved(&name.text) {
+            Some(reserved) => {
+                self.reports.tell(names::taken(name, reserved));
+                Bound::Broken
+            }
+            None => what,
+        };
+        if let Some(other) = env.find(&name.text) {
+            return self.reports.tell(names::defined_twice("name", name, other.name.span));
+        }
+        let binding = Rc::new(Binding { name: name.clone(), what });
+        env.0.names.borrow_mut().insert(name.text.clone(), binding);
+    }
+
+    /// Counts a piece of work; false once the limit is reached.
+    pub fn spend(&self, span: Span) -> bool {
+        self.items.set(self.items.get() + 1);
+        if self.items.get() == limits::ITEMS {
+            self.reports.tell(render::too_many_items(span));
+        }
+        self.items.get() < limits::ITEMS
+    }
+
+    /// The value of an expression.
+    pub fn eval(&self, expr: &Expr, env: &Env) -> Value {
+        if !self.spend(expr.span) {
+            return Value::broken(expr.span);
+        }
+        self.depth.set(self.depth.get() + 1);
+        let value = if self.depth.get() > NESTING {
+            self.reports.tell(types::too_deep(expr.span));
+            Value::broken(expr.span)
+        } else {
+            self.eval_kind(expr, env)
+        };
+        self.depth.set(self.depth.get() - 1);
+        value
+    }
+
+    fn eval_kind(&self, expr: &Expr, env: &Env) -> Value {
+        let span = expr.span;
+        let kind = match &expr.kind {
+            ExprKind::Number { value, unit: None } => {
+                ValueKind::Number { value: *value, dimension: Dimension::NONE, unit: None }
+            }
+            ExprKind::Number { value, unit: Some((unit, exponent)) } => {
+                let value = value * unit.scale.powi(i32::from(*exponent));
+                let dimension = unit.dimension.power(*exponent);
+                let number = ValueKind::Number { value, dimension, unit: Some(unit) };
+                return self.finite(Value { kind: number, span });
+            }
+            ExprKind::Text(pieces) => match self.text(pieces, env) {
+                Some(text) => ValueKind::Text { text: text.into(), file: span.file },
+                None => ValueKind::Broken,
+            },
+            ExprKind::Vector(all) if all.len() > 3 => {
+                self.reports.tell(types::long_vector(all.len(), span));
+                ValueKind::Broken
+            }
+            ExprKind::Vector(all) => {
+                let components: Rc<[_]> = all.iter().map(|e| self.eval(e, env)).collect();
+                ValueKind::Vector { components, file: span.file }
+            }
+            ExprKind::List(all) if all.len() > limits::ELEMENTS => {
+                self.reports.tell(render::too_many_elements(span));
+                ValueKind::Broken
+            }
+            ExprKind::List(all) => ValueKind::List(all.iter().map(|e| self.eval(e, env)).collect()),
+            ExprKind::Call { function, arguments } => {
+                return self.call(function, arguments, env, span);
+            }
+            ExprKind::Record(record) => ValueKind::Record(Rc::new(fields(record, env))),
+            ExprKind::Name(path) => return self.named(path, env, span),
+            ExprKind::Negated(inner) => {
+                return arithmetic::negated(self, self.eval(inner, env), span);
+            }
+            ExprKind::Chain { first, rest } => {
+                let mut value = self.eval(first, env);
+                for (operator, place, right) in rest.iter() {
+                    let right = self.eval(right, env);
+                    let span = expr.span;
+                    value = arithmetic::binary(self, value, *operator, *place, right, span);
+                }
+                return value;
+            }
+            ExprKind::Power(base, exponent) => {
+                return arithmetic::power(self, self.eval(base, env), *exponent, span);
+            }
+            ExprKind::With { base, changes } => {
+                let base = self.eval(base, env);
+                return self.with(base, changes, env, span);
+            }
+            ExprKind::Range { from, to, step } => {
+                let step = step.as_ref().map(|step| self.eval(step, env));
+                return self.range(self.eval(from, env), self.eval(to, env), step, span);
+            }
+            ExprKind::Broken => ValueKind::Broken,
+        };
+        Value { kind, span }
+    }
+
+    /// The value, told if it is infinite or no number.
+    pub fn finite(&self, value: Value) -> Value {
+        let finite = match &value.kind {
+            ValueKind::Number { value, .. } => value.is_finite(),
+            ValueKind::Colour(components, _) => components.iter().all(|c| c.is_finite()),
+            _ => true,
+        };
+        if finite {
+            return value;
+        }
+        self.reports.tell(types::not_finite(value.span));
+        Value::broken(value.span)
+    }
+
+    /// The value of a field.
+    pub fn force(&self, thunk: &Thunk) -> Value {
+        match thunk {
+            Thunk::Lazy(expr, env) => self.eval(expr, env),
+            Thunk::Ready(value) => value.clone(),
+        }
+    }
+
+    /// A string with its values; None if one is broken.
+    pub fn text(&self, pieces: &[Piece], env: &Env) -> Option<String> {
+        let mut text = String::new();
+        for piece in pieces {
+            match piece {
+                Piece::Words(words) => text.push_str(words),
+                Piece::Value(expr) => {
+                    let value = self.eval(expr, env);
+                    match &value.kind {
+                        ValueKind::Number { value, dimension, unit } => {
+                            text.push_str(&super::value::shown(*value, *dimension, *unit));
+                        }
+                        ValueKind::Text { text: inner, .. } => text.push_str(inner),
+                        ValueKind::Word(word) => text.push_str(&word.text),
+                        ValueKind::Broken => return None,
+                        _ => {
+                            let found = value.described();
+                            self.reports.tell(types::mismatch(
+                                "a text",
+                                "a number, a word or a text",
+                                &found,
+                                expr.span,
+                            ));
+                            return None;
+                        }
+                    }
+                }
+            }
+            if text.len() > limits::FILE_BYTES {
+                self.reports.tell(render::too_many_items(self.frames_span(pieces)?));
+                return None;
+            }
+        }
+        Some(text)
+    }
+
+    fn frames_span(&self, pieces: &[Piece]) -> Option<Span> {
+        pieces.iter().find_map(|piece| match piece {
+            Piece::Value(expr) => Some(expr.span),
+            Piece::Words(_) => None,
+        })
+    }
+
+    /// A name as it is meant: pieces in quotes are a text, a word alone may be a let.
+    pub fn name(&self, name: &Name, env: &Env) -> Option<Word> {
+        let text = self.text(&name.pieces, env)?;
+        Some(Word { text: text.into(), span: name.span })
+    }
+
+    fn named(&self, path: &[Word], env: &Env, span: Span) -> Value {
+        let word = match path {
+            [word] => match env.find(&word.text) {
+                Some(binding) => return self.bound(&binding, word),
+                None => word.clone(),
+            },
+            _ => {
+                let text: Vec<_> = path.iter().map(|word| &*word.text).collect();
+                Word { text: text.join(".").into(), span }
+            }
+        };
+        Value { kind: ValueKind::Word(word), span }
+    }
+
+    fn bound(&self, binding: &Binding, used: &Word) -> Value {
+        match &binding.what {
+            Bound::Value(value) => value.clone(),
+            Bound::Broken => Value::broken(used.span),
+            Bound::Let(definition, _, _) if definition.params.is_some() => {
+                self.reports.tell(types::function_as_value(used, &definition.name));
+                Value::broken(used.span)
+            }
+            Bound::Let(definition, env, known) => {
+                if let Some(value) = &*known.borrow() {
+                    return value.clone();
+                }
+                let value = self.eval(&definition.value, env);
+                *known.borrow_mut() = Some(value.clone());
+                value
+            }
+        }
+    }
+
+    fn call(&self, function: &[Word], arguments: &[Expr], env: &Env, span: Span) -> Value {
+        let [word] = function else {
+            let place = function.first().map_or(span, |w| w.span);
+            let text: Vec<_> = function.iter().map(|word| &*word.text).collect();
+            self.reports.tell(names::unknown_function(&text.join("."), place, &[]));
+            return Value::broken(span);
+        };
+        let values: Vec<_> = arguments.iter().map(|argument| self.eval(argument, env)).collect();
+        match env.find(&word.text).as_deref() {
+            Some(Binding { what: Bound::Let(definition, env, _), .. })
+                if definition.params.is_some() =>
+            {
+                self.apply(definition, env, values, word, span)
+            }
+            Some(Binding { what: Bound::Broken, .. }) => Value::broken(span),
+            Some(binding) => {
+                self.reports.tell(types::not_a_function(word, binding.name.span));
+                Value::broken(span)
+            }
+            None => functions::call(self, word, values, span).unwrap_or_else(|| {
+                let all: Vec<_> = env.all();
+                let all: Vec<&str> = all.iter().map(|name| &**name).collect();
+                let told = names::unknown_function(&word.text, word.span, &all);
+                self.reports.tell_unknown(&word.text, told);
+                Value::broken(span)
+            }),
+        }
+    }
+
+    fn apply(&self, f: &Arc<Let>, env: &Env, values: Vec<Value>, used: &Word, span: Span) -> Value {
+        let params = f.params.as_deref().unwrap_or_default();
+        if params.len() != values.len() {
+            let names: Vec<_> = params.iter().map(|p| &*p.text).collect();
+            self.reports.tell(types::arguments(&used.text, &names, values.len(), span));
+            return Value::broken(span);
+        }
+        let inner = Env(Rc::new(Frame { names: RefCell::default(), outer: Some(env.clone()) }));
+        for (param, value) in params.iter().zip(values) {
+            let what = Bound::Value(value);
+            let binding = Rc::new(Binding { name: param.clone(), what });
+            inner.0.names.borrow_mut().insert(param.text.clone(), binding);
+        }
+        let value = self.eval(&f.value, &inner);
+        Value { span: if value.is_broken() { span } else { value.span }, ..value }
+    }
+
+    fn with(&self, base: Value, changes: &[Record], env: &Env, span: Span) -> Value {
+        let mut record = match &base.kind {
+            ValueKind::Record(record) => (**record).clone(),
+            ValueKind::Word(word) => RecordValue {
+                word: None,
+                base: Some(word.clone()),
+                fields: Vec::new(),
+                braces: span,
+                partial: false,
+            },
+            ValueKind::Broken => return base,
+            _ => {
+                let found = base.described();
+                self.reports.tell(types::mismatch(
+                    "the value before `with`",
+                    "a record",
+                    &found,
+                    base.span,
+                ));
+                return Value::broken(span);
+            }
+        };
+        for change in changes {
+            let change = fields(change, env);
+            record.partial |= change.partial;
+            for field in change.fields {
+                record.fields.retain(|other| other.key.text != field.key.text);
+                record.fields.push(field);
+            }
+        }
+        Value { kind: ValueKind::Record(Rc::new(record)), span }
+    }
+
+    fn range(&self, from: Value, to: Value, step: Option<Value>, span: Span) -> Value {
+        let one = match &from.kind {
+            ValueKind::Number { dimension, unit, .. } => {
+                let scale = unit.map_or(1.0, |unit| unit.scale);
+                Value::number(scale, *dimension, span)
+            }
+            _ => Value::number(1.0, Dimension::NONE, span),
+        };
+        let step = step.unwrap_or(one);
+        let mut numbers = [0.0; 3];
+        let mut same = None;
+        let mut written = None;
+        for (slot, value) in numbers.iter_mut().zip([&from, &to, &step]) {
+            let value = arithmetic::quantity(self, value);
+            match value.kind {
+                ValueKind::Number { value: x, dimension, unit } => {
+                    *slot = x;
+                    written = written.or(unit);
+                    if *same.get_or_insert(dimension) != dimension {
+                        let first = same.map_or_else(String::new, Dimension::name);
+                        self.reports.tell(types::dimension(
+                            "this range",
+                            &first,
+                            &dimension.name(),
+                            value.span,
+                        ));
+                        return Value::broken(span);
+                    }
+                }
+                ValueKind::Broken => return Value::broken(span),
+                _ => {
+                    let found = value.described();
+                    self.reports.tell(types::mismatch("a range", "numbers", &found, value.span));
+                    return Value::broken(span);
+                }
+            }
+        }
+        let [from, to, step] = numbers;
+        let steps = (to - from) / step;
+        if step == 0.0 || steps < -1e-9 || steps.is_nan() {
+            self.reports.tell(types::empty_range(step == 0.0, span));
+            return Value::broken(span);
+        }
+        if steps >= limits::ELEMENTS as f64 {
+            self.reports.tell(render::too_many_elements(span));
+            return Value::broken(span);
+        }
+        let dimension = same.unwrap_or(Dimension::NONE);
+        let element = |i: usize| {
+            let value = super::value::neat(from + i as f64 * step);
+            Value { kind: ValueKind::Number { value, dimension, unit: written }, span }
+        };
+        let count = (steps + 1e-9).floor() as usize + 1;
+        Value { kind: ValueKind::List((0..count).map(element).collect()), span }
+    }
+}
+
+fn fields(record: &Record, env: &Env) -> RecordValue {
+    let field = |entry: &super::ast::Entry| FieldValue {
+        key: entry.key.clone(),
+        value: Thunk::Lazy(entry.value.clone(), env.clone()),
+    };
+    RecordValue {
+        word: record.word.clone(),
+        base: None,
+        fields: record.entries.iter().map(field).collect(),
+        braces: record.braces,
+        partial: record.partial,
+    }
+}
+
+/// What a word is to the language itself, if it is anything.
+fn reserved(word: &str) -> Option<&'static str> {
+    if units::find(word).is_some() {
+        return Some("a unit");
+    }
+    if functions::ALL.contains(&word) {
+        return Some("a function of the language");
+    }
+    match word {
+        "pi" => Some("the number 3.14159…"),
+        "x" | "y" | "z" => Some("a direction"),
+        "on" | "off" => Some("a switch"),
+        _ => None,
+    }
+}

@@ -1,0 +1,101 @@
+//! The functions of the language itself.
+
+use glam::DVec3;
+
+use super::ast::Word;
+use super::check;
+use super::errors::types;
+use super::eval::Evaluator;
+use super::value::{Value, ValueKind};
+use crate::diag::Span;
+use crate::math::units::Dimension;
+use crate::scene::Step;
+
+/// Their names.
+pub const ALL: &[&str] = &["move", "rgb", "rotate", "scale", "srgb"];
+
+/// Calls one; None if there is none of that name.
+pub fn call(ev: &Evaluator, word: &Word, values: Vec<Value>, span: Span) -> Option<Value> {
+    let params: &[&[&str]] = match &*word.text {
+        "rgb" | "srgb" => &[&["red", "green", "blue"]],
+        "scale" => &[&["factor"], &["x", "y", "z"]],
+        "rotate" => &[&["axis", "angle"]],
+        "move" => &[&["x", "y", "z"], &["vector"]],
+        _ => return None,
+    };
+    if values.iter().any(Value::is_broken) {
+        return Some(Value::broken(span));
+    }
+    if !params.iter().any(|params| params.len() == values.len()) {
+        ev.reports.tell(types::arguments(&word.text, params[0], values.len(), span));
+        return Some(Value::broken(span));
+    }
+    let kind = match &*word.text {
+        "rgb" => colour(ev, &values, |c| c),
+        "srgb" => colour(ev, &values, decoded),
+        "scale" => scale(ev, &values),
+        "rotate" => rotate(ev, &values),
+        _ => moved(ev, &values, span).map(|v| ValueKind::Step(Step::Move(v))),
+    };
+    Some(Value { kind: kind.unwrap_or(ValueKind::Broken), span })
+}
+
+/// Plain numbers, told where they are not.
+fn numbers<const N: usize>(ev: &Evaluator, what: &str, values: &[Value]) -> Option<[f64; N]> {
+    let mut found = [0.0; N];
+    for (slot, value) in found.iter_mut().zip(values) {
+        *slot = check::number(ev, value, Dimension::NONE, what)?;
+    }
+    Some(found)
+}
+
+fn colour(ev: &Evaluator, values: &[Value], decode: impl Fn(f64) -> f64) -> Option<ValueKind> {
+    // `rgb` of quantities is a colour of that dimension: rgb(1 W, 2 W, 3 W) * m^-2.
+    let components = numbers::<3>(ev, "a component of a colour", values)?;
+    Some(ValueKind::Colour(components.map(decode), Dimension::NONE))
+}
+
+/// The transfer function of sRGB (IEC 61966-2-1), odd beyond zero.
+fn decoded(c: f64) -> f64 {
+    let a = c.abs();
+    let linear = if a <= 0.04045 { a / 12.92 } else { ((a + 0.055) / 1.055).powf(2.4) };
+    linear.copysign(c)
+}
+
+fn scale(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
+    let factors = match values {
+        [one] => DVec3::splat(numbers::<1>(ev, "a factor", std::slice::from_ref(one))?[0]),
+        _ => DVec3::from_array(numbers::<3>(ev, "a factor", values)?),
+    };
+    if factors.to_array().contains(&0.0) {
+        ev.reports.tell(types::zero_scale(values[0].span));
+        return None;
+    }
+    Some(ValueKind::Step(Step::Scale(factors)))
+}
+
+fn rotate(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
+    let axis = check::direction(ev, &values[0], "the axis of `rotate`");
+    let angle = check::number(ev, &values[1], Dimension::ANGLE, "the angle of `rotate`");
+    Some(ValueKind::Step(Step::Rotate(axis?, angle?)))
+}
+
+fn moved(ev: &Evaluator, values: &[Value], span: Span) -> Option<DVec3> {
+    match values {
+        [vector] => check::point(ev, vector, "`move`"),
+        _ => check::coordinates(ev, values, span, span.file, "`move`"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn srgb_is_decoded_as_its_standard_says() {
+        assert_eq!(decoded(0.0), 0.0);
+        assert!((decoded(1.0) - 1.0).abs() < 1e-15);
+        assert!((decoded(0.5) - 0.214_041_140_482_232_6).abs() < 1e-12);
+        assert!((decoded(0.04) - 0.04 / 12.92).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,134 @@
+//! Declarations → Scene: each render is checked whole, and keeps what it needs.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+
+use super::ast::Word;
+use super::check::{Checker, Declared, Item, default_value};
+use super::defaults;
+use super::eval::Evaluator;
+use crate::diag::{FileId, Span};
+use crate::scene::schema::{Checked, Kind, Type};
+use crate::scene::{At, KINDS, Scene};
+
+/// What became of a render.
+pub struct Lowered {
+    /// The scene, if nothing is wrong with it.
+    pub scene: Option<Scene>,
+    /// Kinds that must be stated and are not.
+    pub missing: Vec<&'static Kind>,
+}
+
+/// Checks the declarations of a render, which stands at `span`.
+pub fn lower(
+    ev: &Evaluator,
+    declared: &Declared,
+    span: Span,
+    lenient_beyond: Option<FileId>,
+) -> Lowered {
+    let before = ev.reports.errors();
+    let mut checker = Checker::new(ev, declared);
+    checker.lenient_beyond = lenient_beyond;
+    let mut items: Vec<Item> = Vec::new();
+    let mut missing = Vec::new();
+    let mut whole = true;
+    for kind in KINDS.iter().filter(|kind| !kind.named) {
+        let value = match (declared.get(&(kind.word, Arc::from(""))), kind.default) {
+            (Some((_, value)), _) => value.clone(),
+            (None, Some(default)) => default_value(ev, default),
+            (None, None) => {
+                missing.push(kind);
+                continue;
+            }
+        };
+        let name = Word { text: Arc::from(""), span };
+        match checker.declaration(kind, &name, &value) {
+            Some(checked) => {
+                items.push(item(kind.word, "", span, At::new(checked, value.span), span))
+            }
+            None => whole = false,
+        }
+    }
+    for ((word, _), (name, value)) in declared {
+        let kind = KINDS.iter().find(|kind| kind.word == *word && kind.named);
+        let Some(kind) = kind else { continue };
+        match checker.declaration(kind, name, value) {
+            Some(checked) => {
+                let checked = At::new(checked, value.span);
+                items.push(item(kind.word, &name.text, name.span, checked, span));
+            }
+            None => whole = false,
+        }
+    }
+    items.extend(checker.into_hoisted());
+    let faultless = whole && missing.is_empty() && ev.reports.errors() == before;
+    let scene = faultless.then(|| Scene::lower(&needed(items)));
+    Lowered { scene, missing }
+}
+
+fn item(kind: &'static str, name: &str, place: Span, checked: At<Checked>, span: Span) -> Item {
+    let checked = match defaults::is_nowhere(checked.span) {
+        true => defaults::placed(checked.value, span),
+        false => defaults::settled(checked, span),
+    };
+    (kind, At::new(name.to_string(), place), checked)
+}
+
+/// Without declarations that only names would lead to, and none does: a scene is the same scene
+/// whatever its file declares beside.
+fn needed(items: Vec<Item>) -> Vec<Item> {
+    let referred: HashSet<&str> = KINDS.iter().flat_map(|kind| references(&kind.ty)).collect();
+    let index: HashMap<(&str, &str), usize> =
+        items.iter().enumerate().map(|(i, (kind, name, _))| ((*kind, name.as_str()), i)).collect();
+    let mut kept = vec![false; items.len()];
+    let mut open: Vec<usize> =
+        (0..items.len()).filter(|i| !referred.contains(items[*i].0)).collect();
+    while let Some(at) = open.pop() {
+        if std::mem::replace(&mut kept[at], true) {
+            continue;
+        }
+        let (kind, _, checked) = &items[at];
+        let kind = KINDS.iter().find(|known| known.word == *kind).expect("a kind of the schema");
+        let mut names = Vec::new();
+        named(&checked.value, &kind.ty, &mut names);
+        open.extend(names.iter().filter_map(|key| index.get(key)));
+    }
+    drop(index);
+    let mut kept = kept.into_iter();
+    items.into_iter().filter(|_| kept.next().unwrap_or(false)).collect()
+}
+
+/// The kinds that a type refers to.
+pub fn references(ty: &Type) -> Vec<&'static str> {
+    let records = match ty {
+        Type::Reference { kind, .. } => return vec![*kind],
+        Type::List(inner) | Type::Map(inner) => return references(inner),
+        Type::OneOf(variants) => variants.all,
+        Type::Record(record) => std::slice::from_ref(*record),
+        _ => return Vec::new(),
+    };
+    records.iter().flat_map(|record| record.fields).flat_map(|f| references(&f.ty)).collect()
+}
+
+/// The declarations that a checked value names.
+fn named<'c>(checked: &'c Checked, ty: &Type, found: &mut Vec<(&'static str, &'c str)>) {
+    let mut all = |fields: &'c [At<Checked>], record: &'static crate::scene::schema::Record| {
+        for (field, schema) in fields.iter().zip(record.fields) {
+            named(&field.value, &schema.ty, found);
+        }
+    };
+    match (checked, ty) {
+        (Checked::Reference(name), Type::Reference { kind, .. }) => found.push((kind, name)),
+        (Checked::Variant(which, fields), Type::OneOf(variants)) => {
+            all(fields, &variants.all[*which])
+        }
+        (Checked::Record(fields), Type::Record(record)) => all(fields, record),
+        (Checked::List(elements), Type::List(inner)) => {
+            elements.iter().for_each(|element| named(&element.value, inner, found));
+        }
+        (Checked::Map(entries), Type::Map(inner)) => {
+            entries.iter().for_each(|(_, value)| named(&value.value, inner, found));
+        }
+        _ => {}
+    }
+}

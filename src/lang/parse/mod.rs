@@ -1,0 +1,127 @@
+//! Text → tree, by the grammar in grammar/scn.pest. The only folder that knows pest.
+
+mod build;
+mod explain;
+mod strings;
+
+use std::sync::Arc;
+
+use pest::Parser;
+
+use super::ast::{Expr, ExprKind, File, Set};
+use super::errors::syntax;
+use super::limits;
+use super::scan::{Scanned, scan};
+use crate::diag::{Diagnostic, FileId, Span};
+
+use build::Builder;
+
+#[derive(pest_derive::Parser)]
+#[grammar = "../grammar/scn.pest"]
+struct Grammar;
+
+type Pair<'t> = pest::iterators::Pair<'t, Rule>;
+
+/// A tree and what is wrong with its text.
+pub struct Parsed<T> {
+    /// The tree, of what could be read.
+    pub tree: T,
+    /// What is wrong.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Places around repairs, where any further fault is probably a consequence.
+    pub muted: Vec<Span>,
+}
+
+/// Reads a file.
+pub fn file(text: &str, id: FileId) -> Parsed<File> {
+    let mut tree = File::default();
+    let whole = Span::new(id, 0, text.len());
+    if text.len() > limits::FILE_BYTES {
+        return failed(tree, syntax::file_too_large(whole));
+    }
+    let scanned = scan(text);
+    let mut diagnostics = told(&scanned, text, id);
+    if diagnostics.iter().any(|d| d.code == crate::diag::Code::SYNTAX_TOO_DEEP) {
+        tree.first_line = Some(whole);
+        return Parsed { tree, diagnostics, muted: vec![whole] };
+    }
+    let muted: Vec<_> = scanned.muted.iter().map(|r| Span::new(id, r.start, r.end)).collect();
+    let source = scanned.repaired.clone().unwrap_or_else(|| text.to_string());
+    match Grammar::parse(Rule::file, &source) {
+        Ok(mut pairs) => {
+            let mut builder = Builder::new(id, &source, &scanned);
+            tree = builder.file(pairs.next().expect("a file"));
+            builder.diagnostics.retain(|d| !within(d, &muted));
+            diagnostics.append(&mut builder.diagnostics);
+        }
+        Err(error) => {
+            let at = scanned.original(stopped(&error));
+            diagnostics.push(explain::at(text, at, id));
+        }
+    }
+    Parsed { tree, diagnostics, muted }
+}
+
+/// Reads an argument of `--set`, whose `=` was replaced by `:`.
+pub fn set(text: &str, id: FileId) -> Parsed<Option<Set>> {
+    let (pair, mut parsed) = alone(Rule::set_alone, text, id);
+    if let Some(pair) = pair {
+        let scanned = Scanned::default();
+        let mut builder = Builder::new(id, text, &scanned);
+        let set = pair.into_inner().next().map(|set| builder.set(set));
+        parsed.diagnostics.append(&mut builder.diagnostics);
+        return Parsed { tree: set.filter(|_| parsed.diagnostics.is_empty()), ..parsed };
+    }
+    parsed
+}
+
+/// Reads a value alone: a default of the schema.
+pub fn value(text: &str, id: FileId) -> Parsed<Arc<Expr>> {
+    let (pair, mut parsed) = alone::<()>(Rule::value_alone, text, id);
+    let mut tree = Expr { kind: ExprKind::Broken, span: Span::new(id, 0, text.len()) };
+    if let Some(pair) = pair {
+        let scanned = Scanned::default();
+        let mut builder = Builder::new(id, text, &scanned);
+        if let Some(value) = pair.into_inner().next() {
+            tree = builder.value(value);
+        }
+        parsed.diagnostics.append(&mut builder.diagnostics);
+    }
+    Parsed { tree: Arc::new(tree), diagnostics: parsed.diagnostics, muted: Vec::new() }
+}
+
+/// A text that is one thing: nothing is repaired in it.
+fn alone<T>(rule: Rule, text: &str, id: FileId) -> (Option<Pair<'_>>, Parsed<Option<T>>) {
+    let mut diagnostics = told(&scan(text), text, id);
+    let mut found = None;
+    if diagnostics.is_empty() {
+        match Grammar::parse(rule, text) {
+            Ok(mut pairs) => found = pairs.next(),
+            Err(error) => diagnostics.push(explain::at(text, stopped(&error), id)),
+        }
+    }
+    (found, Parsed { tree: None, diagnostics, muted: Vec::new() })
+}
+
+fn failed<T>(tree: T, diagnostic: Diagnostic) -> Parsed<T> {
+    Parsed { tree, diagnostics: vec![diagnostic], muted: Vec::new() }
+}
+
+fn told(scanned: &Scanned, text: &str, id: FileId) -> Vec<Diagnostic> {
+    scanned.faults.iter().map(|fault| syntax::brackets(fault, text, id)).collect()
+}
+
+/// Where the grammar could not go on.
+fn stopped(error: &pest::error::Error<Rule>) -> usize {
+    match error.location {
+        pest::error::InputLocation::Pos(at) => at,
+        pest::error::InputLocation::Span((start, _)) => start,
+    }
+}
+
+/// Whether a fault stands at a place that was repaired.
+pub fn within(diagnostic: &Diagnostic, muted: &[Span]) -> bool {
+    let Some(place) = diagnostic.place() else { return false };
+    let inside = |m: &Span| m.file == place.file && m.start <= place.start && place.start < m.end;
+    muted.iter().any(inside)
+}

@@ -1,0 +1,486 @@
+//! Brackets and strings, before the grammar sees a text: what is open is closed, what is too much
+//! is taken away, so that one missing bracket costs one report and nothing after it is lost.
+//!
+//! A balanced text is left alone, whatever its layout. Only where brackets do not match does
+//! indentation tell which of them is to blame: an opener is unclosed if a line begins an item no
+//! deeper than the opener's own line; a closer belongs to the opener of its own indentation.
+
+use std::ops::Range;
+
+use super::limits;
+
+/// A fault of brackets or strings. Offsets are bytes of the text as given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// A string without its second quote: where it begins, where it was taken to end.
+    Unclosed { open: usize, bracket: char, noticed: Option<usize> },
+    /// Its quotes do not match.
+    String { open: usize, end: usize },
+    /// A closer without opener.
+    Stray { at: usize, bracket: char },
+    /// A closer whose opener is missing after the line that begins at `item`.
+    Unopened { at: usize, item: Range<usize>, insert: usize },
+    /// More than [`limits::DEPTH`] brackets or signs inside each other.
+    TooDeep { at: usize },
+}
+
+/// A text that the grammar can take.
+#[derive(Clone, Debug, Default)]
+pub struct Scanned {
+    /// The text with balanced brackets; None if it is so already.
+    pub repaired: Option<String>,
+    /// What was inserted: where in the text as given, and how many bytes.
+    insertions: Vec<(usize, usize)>,
+    /// What was found.
+    pub faults: Vec<Fault>,
+    /// Bytes around repairs: a fault found there later is probably their consequence.
+    pub muted: Vec<Range<usize>>,
+}
+
+impl Scanned {
+    /// The place in the text as given of a place in the repaired one.
+    pub fn original(&self, repaired: usize) -> usize {
+        let mut inserted = 0;
+        for &(at, length) in &self.insertions {
+            if repaired <= at + inserted {
+                break;
+            }
+            inserted += length.min(repaired - at - inserted);
+        }
+        repaired - inserted
+    }
+}
+
+/// Balances a text.
+pub fn scan(text: &str) -> Scanned {
+    let mut quick = Scanner::new(text, false);
+    quick.run();
+    if quick.faults.is_empty() {
+        return Scanned::default();
+    }
+    if quick.faults.iter().any(|fault| matches!(fault, Fault::TooDeep { .. })) {
+        quick.faults.retain(|fault| matches!(fault, Fault::TooDeep { .. }));
+        return Scanned { faults: quick.faults, ..Scanned::default() };
+    }
+    let mut careful = Scanner::new(text, true);
+    careful.run();
+    careful.finish()
+}
+
+/// An opener that waits for its closer.
+#[derive(Clone, Copy)]
+struct Open {
+    bracket: u8,
+    at: usize,
+    line: usize,
+    indent: usize,
+}
+
+/// A line that begins an item.
+#[derive(Clone, Copy)]
+struct Head {
+    line: usize,
+    start: usize,
+    indent: usize,
+    /// Brackets open before it.
+    depth: usize,
+}
+
+struct Scanner<'t> {
+    text: &'t str,
+    bytes: &'t [u8],
+    /// Use indentation; repair.
+    careful: bool,
+    open: Vec<Open>,
+    heads: Vec<Head>,
+    line: usize,
+    line_start: usize,
+    indent: usize,
+    /// The first thing of the line is still to come.
+    fresh: bool,
+    /// End of the last thing that was no blank.
+    content_end: usize,
+    /// Begin of the word or string before, and of the comma before that.
+    key: Option<(usize, Option<usize>)>,
+    comma: Option<usize>,
+    faults: Vec<Fault>,
+    insert: Vec<(usize, &'static str)>,
+    blank: Vec<usize>,
+    muted: Vec<Range<usize>>,
+}
+
+impl<'t> Scanner<'t> {
+    fn new(text: &'t str, careful: bool) -> Self {
+        Self {
+            text,
+            bytes: text.as_bytes(),
+            careful,
+            open: Vec::new(),
+            heads: Vec::new(),
+            line: 0,
+            line_start: 0,
+            indent: 0,
+            fresh: true,
+            content_end: 0,
+            key: None,
+            comma: None,
+            faults: Vec::new(),
+            insert: Vec::new(),
+            blank: Vec::new(),
+            muted: Vec::new(),
+        }
+    }
+
+    fn run(&mut self) {
+        let mut at = 0;
+        let mut signs = 0;
+        while at < self.bytes.len() {
+            let byte = self.bytes[at];
+            match byte {
+                b'\n' => {
+                    at += 1;
+                    self.line += 1;
+                    self.line_start = at;
+                    self.fresh = true;
+                    continue;
+                }
+                b' ' | b'\t' | b'\r' => {
+                    at += 1;
+                    continue;
+                }
+                b'/' if self.bytes.get(at + 1) == Some(&b'/') => {
+                    at += line_rest(&self.bytes[at..]);
+                    continue;
+                }
+                _ => {}
+            }
+            if self.fresh {
+                self.fresh = false;
+                self.begin_line(at);
+            }
+            signs = if matches!(byte, b'+' | b'-') { signs + 1 } else { 0 };
+            if signs > limits::DEPTH || self.open.len() > limits::DEPTH {
+                self.faults.push(Fault::TooDeep { at });
+                return;
+            }
+            let next = match byte {
+                b'"' => self.string(at),
+                b'(' | b'[' | b'{' => {
+                    let Self { line, indent, .. } = *self;
+                    self.open.push(Open { bracket: byte, at, line, indent });
+                    at + 1
+                }
+                b')' | b']' | b'}' => {
+                    self.close(at, byte);
+                    at + 1
+                }
+                b':' => {
+                    self.colon();
+                    at + 1
+                }
+                _ if byte.is_ascii_digit() => at + number_length(&self.bytes[at..]),
+                _ if is_word(byte) => {
+                    let length = self.bytes[at..].iter().take_while(|b| is_word(**b)).count();
+                    self.key = Some((at, self.comma));
+                    at + length
+                }
+                _ => at + self.text[at..].chars().next().map_or(1, char::len_utf8),
+            };
+            if !is_word(byte) && byte != b'"' {
+                self.key = None;
+            }
+            self.comma = (byte == b',').then_some(at);
+            self.content_end = next;
+            at = next;
+        }
+        while let Some(open) = self.open.pop() {
+            self.unclosed(open, self.content_end, None);
+        }
+    }
+
+    /// A string from its first quote; gives where the text goes on.
+    fn string(&mut self, at: usize) -> usize {
+        self.key = Some((at, self.comma));
+        let mut end = at + 1;
+        while let Some(&byte) = self.bytes.get(end) {
+            match byte {
+                b'"' => return end + 1,
+                b'\n' => break,
+                b'\\' if self.bytes.get(end + 1).is_some_and(|b| *b != b'\n') => {
+                    end += 1 + self.text[end + 1..].chars().next().map_or(1, char::len_utf8);
+                }
+                _ => end += 1,
+            }
+        }
+        let end = end.min(self.bytes.len());
+        let line = at..end;
+        let inside = self.text[line.clone()].trim_end();
+        let end = at + likely_end(inside);
+        self.faults.push(Fault::String { open: at, end });
+        self.insert.push((end, "\""));
+        self.muted.push(self.line_start..line.end);
+        end
+    }
+
+    /// A line begins with something.
+    fn begin_line(&mut self, at: usize) {
+        self.indent = at - self.line_start;
+        if !self.careful || !begins_item(&self.bytes[at..]) {
+            return;
+        }
+        while let Some(&open) = self.open.last() {
+            let parted = open.bracket != b'{' || self.indent <= open.indent;
+            if self.line == open.line || !(parted || self.indent == 0) {
+                break;
+            }
+            self.open.pop();
+            self.unclosed(open, self.content_end, Some(at));
+        }
+        let Self { line, indent, .. } = *self;
+        self.heads.push(Head { line, start: at, indent, depth: self.open.len() });
+    }
+
+    /// A colon: the word before it is a field's, which stands in braces only.
+    fn colon(&mut self) {
+        let Some((key, comma)) = self.key.filter(|_| self.careful) else { return };
+        while let Some(&open) = self.open.last() {
+            if open.bracket == b'{' || open.at > key {
+                break;
+            }
+            self.open.pop();
+            self.unclosed(open, comma.unwrap_or(key), Some(key));
+        }
+    }
+
+    fn close(&mut self, at: usize, closer: u8) {
+        let opener = match closer {
+            b')' => b'(',
+            b']' => b'[',
+            _ => b'{',
+        };
+        let first = self.bytes[self.line_start..at].iter().all(|b| matches!(b, b' ' | b'\t'));
+        if self.careful && closer == b'}' && self.unopened(at, first) {
+            return;
+        }
+        let wanted = |open: &Open| {
+            open.bracket == opener
+                && (!self.careful || !first || closer != b'}' || open.indent == self.indent)
+        };
+        let found = self.open.iter().rposition(wanted);
+        let found = found.or_else(|| self.open.iter().rposition(|open| open.bracket == opener));
+        let Some(found) = found else {
+            self.faults.push(Fault::Stray { at, bracket: closer as char });
+            self.blank.push(at);
+            self.mute_line(at);
+            return;
+        };
+        while self.open.len() > found + 1 {
+            let open = self.open.pop().expect("longer than found");
+            let end = if first { self.content_end } else { at };
+            self.unclosed(open, end, Some(at));
+        }
+        self.open.pop();
+    }
+
+    /// Whether a closing brace tells of a missing `{`, by the line it stands in.
+    fn unopened(&mut self, at: usize, first: bool) -> bool {
+        let top = self.open.iter().rev().find(|open| open.bracket == b'{');
+        let indent = self.indent;
+        let in_line = top.is_some_and(|open| open.line == self.line);
+        let fits = top.is_some_and(|open| !first || open.indent == indent);
+        let surplus = self.bytes[at..].iter().filter(|b| **b == b'}').count()
+            > self.bytes[at..].iter().filter(|b| **b == b'{').count() + self.open.len();
+        if in_line || (fits && !surplus) || (fits && first) {
+            return false;
+        }
+        let head = if first {
+            let above = |head: &&Head| {
+                head.indent == indent
+                    && head.line < self.line
+                    && top.is_none_or(|open| head.line > open.line)
+            };
+            self.heads.iter().rev().find(above).copied()
+        } else {
+            self.heads.last().filter(|head| head.line == self.line).copied()
+        };
+        let Some(head) = head else { return false };
+        let end = head.start + line_rest(&self.bytes[head.start..]);
+        let line = &self.text[head.start..end];
+        let code = line.split("//").next().unwrap_or("").trim_end();
+        let insert = if first {
+            head.start + code.len()
+        } else {
+            match second_key(code) {
+                Some(key) => head.start + key,
+                None => return false,
+            }
+        };
+        if code.ends_with('{') || head.depth > self.open.len() {
+            return false;
+        }
+        self.faults.push(Fault::Unopened { at, item: head.start..head.start + code.len(), insert });
+        self.insert.push((insert, " {"));
+        // What stands between is read as it was meant only if the repair was right.
+        self.muted.push(head.start..at + 1);
+        true
+    }
+
+    fn unclosed(&mut self, open: Open, end: usize, noticed: Option<usize>) {
+        let bracket = open.bracket as char;
+        self.faults.push(Fault::Unclosed { open: open.at, bracket, noticed });
+        self.insert.push((
+            end,
+            match open.bracket {
+                b'(' => ")",
+                b'[' => "]",
+                _ => "}",
+            },
+        ));
+        if open.bracket != b'{' {
+            self.mute_line(open.at);
+        }
+    }
+
+    fn mute_line(&mut self, at: usize) {
+        let start = self.text[..at].rfind('\n').map_or(0, |newline| newline + 1);
+        self.muted.push(start..at + line_rest(&self.bytes[at..]));
+    }
+
+    fn finish(mut self) -> Scanned {
+        // Stable: what was inserted first at a place stands first there.
+        self.insert.sort_by_key(|(at, _)| *at);
+        let mut bytes = self.bytes.to_vec();
+        for at in self.blank {
+            bytes[at] = b' ';
+        }
+        let blanked = String::from_utf8(bytes).expect("ASCII was replaced by ASCII");
+        let mut repaired = String::with_capacity(blanked.len() + 2 * self.insert.len());
+        let mut from = 0;
+        for (at, what) in &self.insert {
+            repaired.push_str(&blanked[from..*at]);
+            repaired.push_str(what);
+            from = *at;
+        }
+        repaired.push_str(&blanked[from..]);
+        Scanned {
+            repaired: Some(repaired),
+            insertions: self.insert.iter().map(|(at, what)| (*at, what.len())).collect(),
+            faults: self.faults,
+            muted: self.muted,
+        }
+    }
+}
+
+fn is_word(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || byte == b'_'
+}
+
+/// Bytes up to the end of the line.
+fn line_rest(bytes: &[u8]) -> usize {
+    bytes.iter().position(|b| *b == b'\n').unwrap_or(bytes.len())
+}
+
+/// Bytes of a number, or of a clock value with its colon.
+fn number_length(bytes: &[u8]) -> usize {
+    let word = bytes.iter().take_while(|b| is_word(**b)).count();
+    let clock =
+        bytes.get(word) == Some(&b':') && bytes.get(word + 1).is_some_and(u8::is_ascii_digit);
+    if word <= 2 && clock { word + 3 } else { word }.min(bytes.len())
+}
+
+/// Whether a line begins an item: a keyword of one, or `word [name] {.name} :`.
+fn begins_item(line: &[u8]) -> bool {
+    let line = &line[..line_rest(line)];
+    let word = |at: usize| line[at..].iter().take_while(|b| is_word(**b)).count();
+    let blanks = |at: usize| line[at..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+    let first = word(0);
+    if first == 0 || line[0].is_ascii_digit() {
+        return false;
+    }
+    if matches!(&line[..first], b"use" | b"let" | b"for" | b"setup" | b"render" | b"without") {
+        return true;
+    }
+    let mut at = first + blanks(first);
+    if line.get(at) == Some(&b'"') {
+        match line[at + 1..].iter().position(|b| *b == b'"') {
+            Some(length) => at += length + 2,
+            None => return false,
+        }
+    } else {
+        at += word(at);
+    }
+    while line.get(at) == Some(&b'.') {
+        at += 1 + word(at + 1);
+    }
+    line.get(at + blanks(at)) == Some(&b':')
+}
+
+/// Where in a line the key after the first colon begins: `film: size: …`.
+fn second_key(line: &str) -> Option<usize> {
+    let after = line.find(':')? + 1;
+    let colon = after + line[after..].find(':')?;
+    let before = line[..colon].trim_end();
+    let key = before.rfind(|c: char| !c.is_ascii_alphanumeric() && c != '_')? + 1;
+    (key >= after && key < before.len()).then_some(key)
+}
+
+/// How much of an unclosed string was probably meant to be in it: up to what looks like the next
+/// field, or up to the brackets that end the line.
+fn likely_end(inside: &str) -> usize {
+    let next_field = inside.match_indices(',').map(|(at, _)| at).find(|at| {
+        let rest = inside[at + 1..].trim_start();
+        let word = rest.bytes().take_while(|b| is_word(*b)).count();
+        word > 0 && rest[word..].starts_with(':')
+    });
+    next_field.unwrap_or_else(|| {
+        let cut = inside.trim_end_matches([' ', '}', ')', ']', ',']).len();
+        if inside[cut..].contains(['}', ')', ']', ',']) { cut } else { inside.len() }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn repaired(text: &str) -> String {
+        scan(text).repaired.unwrap_or_else(|| text.to_string())
+    }
+
+    #[test]
+    fn balanced_text_is_left_alone_whatever_its_layout() {
+        for text in ["a: {\nb: 1\n}", "a: b {\n      c: (1,\n2)\nd: 3 } // {", "a: \"{{ (\""] {
+            assert!(scan(text).faults.is_empty(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_missing_closer_is_put_where_the_layout_wants_it() {
+        assert_eq!(repaired("a: {\n    b: 1\nc: 2\n"), "a: {\n    b: 1}\nc: 2\n");
+        assert_eq!(repaired("a: { b: (1, 2, c: 3 }"), "a: { b: (1, 2), c: 3 }");
+        assert_eq!(repaired("a: [f(1, 2]"), "a: [f(1, 2)]");
+        let nested = "s {\n    a: b {\n        c: 1\n}\n";
+        assert_eq!(repaired(nested), "s {\n    a: b {\n        c: 1}\n}\n");
+    }
+
+    #[test]
+    fn a_missing_opener_is_put_on_the_line_it_belongs_to() {
+        assert_eq!(repaired("a: size: 1 }"), "a:  {size: 1 }");
+        assert_eq!(repaired("a: mesh\n    b: 1\n}\n"), "a: mesh {\n    b: 1\n}\n");
+        assert_eq!(repaired("a: 1)\nb: 2"), "a: 1 \nb: 2");
+    }
+
+    #[test]
+    fn a_missing_quote_costs_its_line_only() {
+        assert_eq!(repaired("f: { a: \"x.obj, b: 1 }\n"), "f: { a: \"x.obj\", b: 1 }\n");
+        assert_eq!(repaired("use \"x\na: 1"), "use \"x\"\na: 1");
+    }
+
+    #[test]
+    fn places_in_the_repaired_text_lead_back() {
+        let text = "a: { b: (1, 2, c: 3 }";
+        let scanned = scan(text);
+        let repaired = scanned.repaired.clone().unwrap();
+        let at = repaired.find('c').unwrap();
+        assert_eq!(&text[scanned.original(at)..][..1], "c");
+    }
+}
