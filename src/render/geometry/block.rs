@@ -106,8 +106,11 @@ impl Block {
     /// Corners of the triangle in a lane.
     #[inline(always)]
     pub fn triangle(&self, lane: usize) -> [DVec3; 3] {
-        self.corners.map(|c| {
-            DVec3::new(f64::from(c[0][lane]), f64::from(c[1][lane]), f64::from(c[2][lane]))
-        })
+        let [a, b, c] = &self.corners;
+        let corner = |[x, y, z]: &[Vec4; 3]| {
+            let at = |axis: &Vec4| f64::from(AsRef::<[f32; LANES]>::as_ref(axis)[lane]);
+            DVec3::new(at(x), at(y), at(z))
+        };
+        [corner(a), corner(b), corner(c)]
     }
 }

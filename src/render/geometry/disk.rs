@@ -41,7 +41,7 @@ pub(super) fn bounds(disk: &Disk) -> Bounds {
     let s = n * n;
     let reach = DVec3::new(s.y + s.z, s.z + s.x, s.x + s.y).map(f64::sqrt);
     let reach = f64::from(disk.radius) * reach;
-    Bounds { min: rounding::floor(centre - reach), max: rounding::ceil(centre + reach) }
+    Bounds { min: rounding::down(centre - reach), max: rounding::up(centre + reach) }
 }
 
 /// In square world units.

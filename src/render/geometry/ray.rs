@@ -153,7 +153,11 @@ impl Probe {
             shear,
             near_origin: ray.origin,
             near_shear: [shear[0] as f32, shear[1] as f32, (1.0 / depth) as f32],
-            inverse: ray.direction.map(inverse),
+            inverse: Vec3::new(
+                inverse(ray.direction.x),
+                inverse(ray.direction.y),
+                inverse(ray.direction.z),
+            ),
         }
     }
 }

@@ -39,18 +39,14 @@ pub(super) fn position(exact: DVec3, magnitude: DVec3) -> (Vec3, Vec3) {
     (exact.as_vec3(), up(error))
 }
 
-/// The next f32 not less than each coordinate, which are not negative. Never zero, so that it
-/// covers gradual underflow too.
+/// The next f32 above each coordinate. Of zero it is more than zero, and so covers gradual
+/// underflow too.
 pub(super) fn up(x: DVec3) -> Vec3 {
-    x.as_vec3().map(f32::next_up)
+    let x = x.as_vec3();
+    Vec3::new(x.x.next_up(), x.y.next_up(), x.z.next_up())
 }
 
-/// The next f32 not greater than each coordinate.
-pub(super) fn floor(x: DVec3) -> Vec3 {
-    x.as_vec3().map(f32::next_down)
-}
-
-/// The next f32 not less than each coordinate.
-pub(super) fn ceil(x: DVec3) -> Vec3 {
-    x.as_vec3().map(f32::next_up)
+/// The next f32 below each coordinate.
+pub(super) fn down(x: DVec3) -> Vec3 {
+    -up(-x)
 }

@@ -12,7 +12,7 @@ impl Geometry {
     pub fn area(&self, primitive: Primitive) -> f64 {
         let index = primitive.index();
         match primitive.kind() {
-            Kind::Triangle => triangle::area(self.shapes.corners(index)),
+            Kind::Triangle => triangle::area(self.shapes.exact_corners(index)),
             Kind::Sphere => sphere::area(&self.shapes.spheres[index]),
             Kind::Disk => disk::area(&self.shapes.disks[index]),
             Kind::Plane => f64::INFINITY,
@@ -25,7 +25,7 @@ impl Geometry {
         let index = primitive.index();
         match primitive.kind() {
             Kind::Triangle => {
-                let corners = self.shapes.corners(index).map(|corner| corner.as_dvec3());
+                let corners = self.shapes.exact_corners(index);
                 let [a, b, c] = corners;
                 let weights = warp::square_to_triangle(u).as_dvec2();
                 let exact = a + weights.x * (b - a) + weights.y * (c - a);

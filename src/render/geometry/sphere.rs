@@ -61,7 +61,7 @@ pub(super) fn surface(probe: &Probe, sphere: &Sphere) -> Surface {
 /// The box around it.
 pub(super) fn bounds(sphere: &Sphere) -> Bounds {
     let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius));
-    Bounds { min: rounding::floor(centre - radius), max: rounding::ceil(centre + radius) }
+    Bounds { min: rounding::down(centre - radius), max: rounding::up(centre + radius) }
 }
 
 /// In square world units.

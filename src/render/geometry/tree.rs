@@ -123,19 +123,32 @@ impl Tree {
                 NODE => {
                     let node = &self.nodes[number];
                     let (near, mut met) = slabs.meet(node, best.t);
-                    let before = waiting;
-                    while met != 0 {
-                        let lane = (met.trailing_zeros() as usize) % LANES;
-                        met &= met - 1;
-                        let entry = entry(near[lane], node.children[lane]);
-                        let mut at = waiting;
-                        // The nearest goes on top.
-                        while !ANY && at > before && stack[at - 1] < entry {
-                            stack[at] = stack[at - 1];
-                            at -= 1;
+                    if met != 0 {
+                        let near = near.to_array();
+                        let mut next = || {
+                            let lane = (met.trailing_zeros() as usize) % LANES;
+                            met &= met - 1;
+                            (entry(near[lane], node.children[lane]), met != 0)
+                        };
+                        // The nearest is held back, the others wait, the farthest longest.
+                        let (mut nearest, mut more) = next();
+                        let before = waiting;
+                        while more {
+                            let mut farther;
+                            (farther, more) = next();
+                            if farther < nearest {
+                                (nearest, farther) = (farther, nearest);
+                            }
+                            let mut at = waiting;
+                            while !ANY && at > before && stack[at - 1] < farther {
+                                stack[at] = stack[at - 1];
+                                at -= 1;
+                            }
+                            stack[at] = farther;
+                            waiting += 1;
                         }
-                        stack[at] = entry;
-                        waiting += 1;
+                        current = split(nearest).1;
+                        continue;
                     }
                 }
                 BLOCK => {
@@ -151,13 +164,14 @@ impl Tree {
             if ANY && best.primitive.is_some() {
                 return;
             }
+            let limit = best.t * WIDEN;
             loop {
                 if waiting == 0 {
                     return;
                 }
                 waiting -= 1;
                 let (near, child) = split(stack[waiting]);
-                if near <= best.t * WIDEN {
+                if near <= limit {
                     current = child;
                     break;
                 }

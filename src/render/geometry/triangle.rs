@@ -16,10 +16,11 @@ use super::shapes::Shapes;
 fn parts(probe: &Probe, corners: [DVec3; 3]) -> DVec3 {
     let z = probe.axis;
     let (x, y) = ((z + 1) % 3, (z + 2) % 3);
-    let [a, b, c] = corners.map(|corner| {
-        let p = corner - probe.origin;
+    let sheared = |corner: DVec3| {
+        let p = (corner - probe.origin).to_array();
         (p[x] - probe.shear[0] * p[z], p[y] - probe.shear[1] * p[z])
-    });
+    };
+    let (a, b, c) = (sheared(corners[0]), sheared(corners[1]), sheared(corners[2]));
     DVec3::new(c.0 * b.1 - c.1 * b.0, a.0 * c.1 - a.1 * c.0, b.0 * a.1 - b.1 * a.0)
 }
 
@@ -50,7 +51,7 @@ pub(super) fn meet(probe: &Probe, corners: [DVec3; 3], inside: bool) -> Option<f
 
 /// The place where the ray meets it.
 pub(super) fn surface(probe: &Probe, shapes: &Shapes, index: usize) -> Surface {
-    let corners = shapes.corners(index).map(|corner| corner.as_dvec3());
+    let corners = shapes.exact_corners(index);
     let parts = parts(probe, corners);
     let sum = parts.element_sum();
     // The ray may pass outside by rounding: the nearest weights inside stand for it.
@@ -82,6 +83,6 @@ pub(super) fn bounds(corners: [Vec3; 3]) -> Bounds {
 }
 
 /// In square world units.
-pub(super) fn area(corners: [Vec3; 3]) -> f64 {
-    normal(corners.map(|corner| corner.as_dvec3())).length() / 2.0
+pub(super) fn area(corners: [DVec3; 3]) -> f64 {
+    normal(corners).length() / 2.0
 }

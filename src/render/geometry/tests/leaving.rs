@@ -135,7 +135,7 @@ fn a_sheet_close_above_is_never_skipped() {
                 let cosine = 10_f64.powf(-2.0 * chance.unit());
                 let between = hit.ray(at_cosine(&mut chance, into, cosine));
                 let other = geometry.closest(&between).expect("the other sheet is there");
-                assert!(!on(sheets[0]) == sheets[0].contains(&other.primitive), "{between:?}");
+                assert_ne!(on(sheets[0]), sheets[0].contains(&other.primitive), "{between:?}");
             }
         }
     }

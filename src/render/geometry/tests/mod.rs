@@ -17,8 +17,7 @@ fn by_hand(geometry: &Geometry, ray: &Ray) -> Option<(f32, Primitive)> {
     let shapes = geometry.shapes();
     let meet = |p: Primitive| match p.kind() {
         super::Kind::Triangle => {
-            let corners = shapes.corners(p.index()).map(|c| c.as_dvec3());
-            super::triangle::meet(&probe, corners, false)
+            super::triangle::meet(&probe, shapes.exact_corners(p.index()), false)
         }
         super::Kind::Sphere => super::sphere::meet(&probe, &shapes.spheres[p.index()]),
         super::Kind::Disk => super::disk::meet(&probe, &shapes.disks[p.index()]),
