@@ -15,6 +15,7 @@ mod picture;
 mod scene_file;
 mod render;
 mod lint;
+mod compare;
 mod explain;
 mod list;
 
@@ -29,6 +30,8 @@ enum End {
     Well,
     /// The scene, or a file it names, has errors.
     SceneErrors,
+    /// A condition it was asked to look for holds.
+    Held,
     /// It could not do its work: options, the scene file itself, the disk.
     NotDone,
     /// It was asked to stop.
@@ -39,7 +42,7 @@ impl From<End> for ExitCode {
     fn from(end: End) -> Self {
         Self::from(match end {
             End::Well => 0,
-            End::SceneErrors => 1,
+            End::SceneErrors | End::Held => 1,
             End::NotDone => 2,
             End::Interrupted => stop::INTERRUPTED,
         })
@@ -61,6 +64,7 @@ pub fn main() -> ExitCode {
     let end = match options.command {
         options::Command::Render(options) => render::run(&options),
         options::Command::Lint(options) => lint::run(&options),
+        options::Command::Compare(options) => compare::run(&options),
         options::Command::Explain(options) => explain::run(&options),
         options::Command::List(options) => list::run(&options),
     };

@@ -12,11 +12,13 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 Examples:
   scn render scenes/w01_first_pictures.scn    every render of the file, into out/
   scn lint my.scn                             what is wrong with it
+  scn compare a.exr reference.exr             how far a picture is from another
   scn list material                           what the language has to offer
   scn explain type/dimension                  what a fault means, and how it is mended
 
-Exit status: 0 well; 1 the scene, or a file it names, has errors; 2 the tool could not do its
-work (options, the scene file itself, the disk); 130 interrupted.")]
+Exit status: 0 well; 1 the scene, or a file it names, has errors, or a condition that compare is to
+fail on holds; 2 the tool could not do its work (options, the scene file itself, the disk); 130
+interrupted.")]
 pub struct Options {
     #[command(subcommand)]
     pub command: Command,
@@ -26,6 +28,7 @@ pub struct Options {
 pub enum Command {
     Render(Render),
     Lint(Lint),
+    Compare(super::compare::Compare),
     Explain(Explain),
     List(List),
 }

@@ -1,0 +1,89 @@
+//! What should be known beside the figures: files that tell different things of themselves, and
+//! comparisons that mean less than they seem to.
+
+use super::{Comparison, input::Input};
+use crate::files;
+
+/// What differs from picture to picture without telling why the pictures do.
+const SILENT: [&str; 2] = ["scn:time", "scn:caption"];
+
+/// Values longer than this, in characters, are cut in tables.
+const LONGEST_VALUE: usize = 24;
+
+/// A key with what each file says under it, the reference last; `None` where it says nothing.
+pub struct Difference<'a> {
+    pub key: &'a str,
+    pub values: Vec<Option<&'a str>>,
+}
+
+/// The keys of ours under which the files say different things, in the first file's order.
+pub fn differences<'a>(inputs: &[&'a Input]) -> Vec<Difference<'a>> {
+    let mut keys: Vec<&str> = Vec::new();
+    for (key, _) in inputs.iter().flat_map(|input| &input.words) {
+        if key.starts_with("scn:")
+            && !SILENT.contains(&key.as_str())
+            && !keys.contains(&key.as_str())
+        {
+            keys.push(key);
+        }
+    }
+    let all = keys.into_iter().map(|key| {
+        let values = inputs.iter().map(|input| input.word(key)).collect();
+        Difference { key, values }
+    });
+    all.filter(|it| it.values.iter().any(|value| *value != it.values[0])).collect()
+}
+
+/// Sentences on what the figures may not show.
+pub fn notes(comparison: &Comparison) -> Vec<String> {
+    let reference = comparison.reference;
+    let mut notes = Vec::new();
+    for judged in &comparison.tests {
+        let input = judged.input;
+        let both = |key| input.word(key).zip(reference.word(key));
+        let (a, b) = (&input.name, &reference.name);
+        if files::regular::identity(&input.path) == files::regular::identity(&reference.path) {
+            notes.push(format!("{a} and its reference are the same file."));
+            continue;
+        }
+        if both("scn:hash").is_some_and(|(x, y)| x != y) {
+            notes.push(format!(
+                "{a} and {b} are of different scenes, or of one that was changed between them."
+            ));
+        } else if both("scn:seed").is_some_and(|(x, y)| x == y) {
+            notes.push(format!(
+                "{a} and {b} are of one scene and one seed: they may share random numbers, and \
+                 then their noise is alike and the error shown too small. Render the reference \
+                 with another --seed."
+            ));
+        }
+        let count = |input: &Input| input.word("scn:samples").and_then(|n| n.parse::<u64>().ok());
+        if count(reference).zip(count(input)).is_some_and(|(few, own)| few < own) {
+            notes.push(format!(
+                "{b} has fewer samples than {a}: what is shown is rather the reference's error."
+            ));
+        }
+        if input.radiance != reference.radiance {
+            notes.push(format!(
+                "one of {a} and {b} is a PNG: exposed, clipped to what a display shows and rounded \
+                 to eight bits. Compare EXR files to measure radiance."
+            ));
+        }
+    }
+    notes
+}
+
+/// The text without characters that would move a terminal's cursor or change its colours.
+pub fn harmless(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
+}
+
+/// A value fit for a table.
+pub fn short(value: &str) -> String {
+    let value = harmless(value);
+    if value.chars().count() <= LONGEST_VALUE {
+        return value;
+    }
+    let start: String = value.chars().take(LONGEST_VALUE - 1).collect();
+    format!("{start}…")
+}
