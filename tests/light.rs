@@ -147,7 +147,7 @@ fn random_points_of_a_lamp_give_its_irradiance() {
     let corners = if front { [a, b, c] } else { [a, c, b] };
 
     let rows = [
-        (disk(1.0, 1.0, 0.0), 1.570796),
+        (disk(1.0, 1.0, 0.0), PI / 2.0),
         (disk(0.5, 2.0, 0.0), 0.184800),
         (disk(1e-3, 1.0, 0.0), 3.14159e-6),
         (disk(1.0, 1.0, 1.0), 0.868315),

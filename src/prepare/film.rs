@@ -35,7 +35,7 @@ impl fmt::Display for Unfit {
             Self::Scale(scale) => write!(f, "a film can not be scaled by {scale}"),
             Self::Size { size: [w, h], scale } => {
                 let much = if *scale < 1.0 { "no pixel" } else { "too many pixels" };
-                write!(f, "scaled by {scale}, a film of {w} × {h} has {much}")
+                write!(f, "scaled by {scale:?}, a film of {w} × {h} has {much}")
             }
             Self::Crop { crop: [x0, y0, x1, y1], size: [w, h] } if x0 >= x1 || y0 >= y1 => {
                 write!(f, "the crop {x0},{y0},{x1},{y1} has no pixel; the film is {w} × {h}")

@@ -126,6 +126,13 @@ fn assemble(
     let mut found = Vec::new();
 
     let bodies = objects::place(stage, &mut found);
+    film::check(scene, settings, &mut found);
+    if bodies.len() < scene.objects.len() {
+        // What is missing would be missed everywhere: tell no consequences, only other faults.
+        lights::unit(scene, &bodies, &mut found);
+        camera::check(scene, &mut found);
+        return (None, found);
+    }
     let space = space::Space::around(&bodies, &scene.camera);
     let light_unit = lights::unit(scene, &bodies, &mut found);
     let materials = materials::table(&bodies, light_unit);
@@ -134,7 +141,6 @@ fn assemble(
     let shapes = shapes::assemble(&bodies, &space, &materials, progress, &mut found);
     lights::check(scene, &shapes, &lights, &mut found);
     let window = film::window(&scene.film, settings);
-    film::check(scene, settings, &mut found);
     let camera = camera::prepare(scene, &bodies, &space, settings, &mut found);
 
     let faulty = found.iter().any(|diagnostic| diagnostic.level == Level::Error);

@@ -40,6 +40,10 @@ const LEAST_AREA: f64 = f32::MIN_POSITIVE as f64;
 /// their form.
 const LEAST_STEPS: f64 = 16.0;
 
+/// Distance of a plane from the middle of the scene, in world units: so far away it shows its
+/// horizon and no more, and well before 2⁶⁰ rays do not meet it any more.
+const FARTHEST_PLANE: f64 = 1e15;
+
 /// Puts every body into world space.
 pub(super) fn assemble(
     bodies: &[Placed],
@@ -176,8 +180,8 @@ impl One<'_> {
             Body::Plane { point, normal } => {
                 // The point of the plane that is nearest to the middle of the scene.
                 let point = *normal * normal.dot(self.space.point(*point));
-                if point.abs().max_element() > f64::from(f32::MAX) {
-                    found.push(errors::beyond_scene(self.placed.name));
+                if point.length() > FARTHEST_PLANE {
+                    found.push(errors::beyond_scene(self.placed.name, FARTHEST_PLANE));
                     return;
                 }
                 let shape = Plane {

@@ -160,3 +160,77 @@ impl Threads {
         self.0.install(work)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::cameras::{Camera, Perspective};
+    use crate::render::film::{Film, Filter, Window};
+    use crate::render::geometry::{Geometry, Shapes};
+    use crate::render::lights::Lights;
+    use crate::render::samplers::Sampler;
+    use glam::DVec3;
+
+    fn world() -> World {
+        let size = [40, 20];
+        let eye = Perspective::new(DVec3::ZERO, DVec3::Z, DVec3::Y, 1.0, size);
+        World {
+            geometry: Geometry::build(Shapes::new()),
+            materials: Vec::new(),
+            lights: Lights::default(),
+            camera: Camera::Perspective(eye),
+            film: Film {
+                size,
+                window: Window { x0: 2, y0: 1, x1: 40, y1: 20 },
+                filter: Filter::Box { radius: 0.5 },
+            },
+            sampler: Sampler::Independent,
+            light_unit: 1.0,
+        }
+    }
+
+    fn job(samples: Range<u64>) -> Job<'static> {
+        Job { seed: 1, samples, from: None, cancelled: &|| false, advance: &|_| () }
+    }
+
+    /// Not finite where the ray goes to the left and down; else one.
+    fn broken(ray: &Ray, _: &mut Stream, _: &mut Counts) -> Sample {
+        let bad = ray.direction.x > 0.0 && ray.direction.y < 0.0;
+        let value =
+            if bad { [f32::NAN, f32::INFINITY][usize::from(ray.direction.x > 0.1)] } else { 1.0 };
+        Sample { radiance: Rgb::new(1.0, value, 1.0), object: Some(7) }
+    }
+
+    #[test]
+    fn samples_that_are_not_finite_are_counted_located_and_black() {
+        let world = world();
+        let tiles: Vec<_> =
+            pass(&world, &job(5..8), broken).into_iter().map(Option::unwrap).collect();
+        let counts = crate::render::film::counts(&tiles);
+        assert_eq!(counts.rays, 38 * 19 * 3);
+        let invalid = counts.invalid.unwrap();
+        // Looking along +z with +y up, +x is to the left: columns 2 to 19, rows 10 to 19.
+        assert_eq!(invalid.count, 18 * 10 * 3);
+        assert_eq!(invalid.first, Place { y: 10, x: 2, sample: 5, object: Some(7) });
+        for (tile, sums) in world.film.tiles().iter().zip(&tiles) {
+            for ((x, y), sum) in tile.places().zip(&sums.pixels) {
+                let expected = if x < 20 && y >= 10 { 0.0 } else { 3.0 };
+                assert_eq!(*sum, [expected; 3], "{x} {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn passes_go_on_where_others_ended() {
+        let world = world();
+        let value = |ray: &Ray, stream: &mut Stream, _: &mut Counts| {
+            let [u, _] = stream.pair();
+            Sample { radiance: Rgb::grey(ray.direction.x * u as f32 / 3.0), object: None }
+        };
+        let whole = pass(&world, &job(0..10), value);
+        let first: Vec<_> =
+            pass(&world, &job(0..3), value).into_iter().map(Option::unwrap).collect();
+        let second = pass(&world, &Job { from: Some(&first), ..job(3..10) }, value);
+        assert_eq!(whole, second);
+    }
+}

@@ -75,11 +75,11 @@ pub fn beyond_numbers(name: &At<String>, object: Span) -> Diagnostic {
 }
 
 /// A plane that lies out of sight.
-pub fn beyond_scene(name: &At<String>) -> Diagnostic {
+pub fn beyond_scene(name: &At<String>, most: f64) -> Diagnostic {
     let headline = format!("the plane `{}` is too far from the scene", **name);
     Diagnostic::error(Code::SCENE_BEYOND_NUMBERS, headline)
-        .label(name.span, "farther away than single precision can tell, as the scene is small")
-        .why("Everything is rendered in units of the scene's size; in these the distance of the plane overflows.")
+        .label(name.span, format!("more than {most:e} times the size of the scene away"))
+        .why("Everything is rendered in units of the scene's size, in single precision; so far away a plane is out of its reach.")
         .help("check the unit of the plane's `point`, or leave it out: so far away, nothing of it is seen but its horizon")
 }
 

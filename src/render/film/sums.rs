@@ -104,3 +104,55 @@ pub fn counts<'a>(sums: impl IntoIterator<Item = &'a TileSums>) -> Counts {
     sums.into_iter().for_each(|tile| all.add(&tile.counts));
     all
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::film::{Filter, Window};
+
+    fn block(value: f64) -> Sums {
+        vec![TileSums { pixels: vec![[value, 2.0 * value, -value]], counts: Counts::default() }]
+    }
+
+    fn sum(total: &Total, begun: Option<&Sums>) -> f64 {
+        total.with(begun).map_or(0.0, |sums| sums[0].pixels[0][0])
+    }
+
+    #[test]
+    fn blocks_are_added_as_a_binary_tree() {
+        let values: Vec<f64> = (0..13).map(|i| 1.0 / (f64::from(i) + 3.0)).collect();
+        let mut total = Total::default();
+        assert!(total.with(None).is_none());
+        values.iter().for_each(|value| total.push(block(*value)));
+        let pair = |v: &[f64]| v[0] + v[1];
+        let four = |v: &[f64]| pair(&v[..2]) + pair(&v[2..4]);
+        let eight = four(&values[..4]) + four(&values[4..8]);
+        // 13 = 8 + 4 + 1: small before large.
+        assert_eq!(sum(&total, None), (values[12] + four(&values[8..12])) + eight);
+        let begun = block(1e-3);
+        assert_eq!(sum(&total, Some(&begun)), ((1e-3 + values[12]) + four(&values[8..12])) + eight);
+        assert_eq!(Total::digits_after(13 * BLOCK), 4);
+        assert_eq!(Total::digits_after(BLOCK - 1), 0);
+    }
+
+    #[test]
+    fn many_blocks_keep_their_digits() {
+        // A hundred million samples of 0.1, of which f32 would have lost four fifths.
+        let mut total = Total::default();
+        let blocks = 100_000_000 / BLOCK;
+        (0..blocks).for_each(|_| total.push(block(0.1 * BLOCK as f64)));
+        let mean = sum(&total, None) / (blocks * BLOCK) as f64;
+        assert!((mean / 0.1 - 1.0).abs() < 1e-14, "{mean}");
+    }
+
+    #[test]
+    fn what_is_too_bright_for_a_picture_is_clipped_and_counted() {
+        let window = Window { x0: 0, y0: 0, x1: 1, y1: 1 };
+        let film = Film { size: [1, 1], window, filter: Filter::Box { radius: 0.5 } };
+        let developed = film.develop(block(4.0).iter().map(Some), 2, 1e38);
+        assert_eq!(developed.clipped, 1);
+        assert_eq!(developed.picture.at(0, 0), Rgb::new(2e38, f32::MAX, -2e38));
+        assert_eq!(film.develop(block(4.0).iter().map(Some), 2, 1.0).clipped, 0);
+        assert_eq!(film.develop([None], 2, 1.0).picture.at(0, 0), Rgb::BLACK);
+    }
+}

@@ -45,3 +45,42 @@ impl Lambert {
         self.albedo * (FRAC_1_PI * self.ns.dot(wi).max(0.0))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::geometry::{Geometry, Owner, Ray, Shapes, Triangle};
+
+    /// A hit from above on a triangle that faces up, with a shading normal tilted towards +x.
+    fn tilted() -> Hit {
+        let mut shapes = Shapes::new();
+        let corners = [Vec3::NEG_ONE, Vec3::new(2.0, -1.0, -1.0), Vec3::new(-1.0, 2.0, -1.0)];
+        let corners = corners.map(|corner| shapes.vertex(corner));
+        let normal = shapes.normal(Vec3::new(0.6, 0.0, 0.8));
+        let normals = Some([normal; 3]);
+        shapes.triangle(Triangle { corners, normals, owner: Owner::default() });
+        let geometry = Geometry::build(shapes);
+        geometry.closest(&Ray::new(Vec3::new(-0.5, -0.5, 2.0), Vec3::NEG_Z)).unwrap()
+    }
+
+    #[test]
+    fn light_is_weighed_at_the_shading_normal_and_stopped_at_the_surface() {
+        let diffuse = Diffuse { albedo: Rgb::grey(0.5), emission: Rgb::BLACK };
+        let hit = tilted();
+        let cases = [
+            // Above both.
+            (Vec3::Z, 0.8),
+            (Vec3::new(0.6, 0.0, 0.8), 1.0),
+            // Above the surface, below the shading normal.
+            (Vec3::new(-0.96, 0.0, 0.28), 0.0),
+            // Above the shading normal, below the surface.
+            (Vec3::new(0.96, 0.0, -0.28), 0.0),
+        ];
+        for (wi, cos) in cases {
+            let above = diffuse.at(&hit, Vec3::Z).scattered(wi).g;
+            assert!((above - 0.5 * FRAC_1_PI * cos).abs() < 1e-6, "{wi}: {above}");
+            // From behind everything is as if the surface were turned round.
+            assert_eq!(diffuse.at(&hit, Vec3::NEG_Z).scattered(-wi).g, above);
+        }
+    }
+}
