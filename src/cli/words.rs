@@ -18,8 +18,14 @@ pub fn grouped(n: u64) -> String {
     text
 }
 
-/// Seconds with a unit that suits them: "0.17 s", "12 s", "3 min 20 s", "2 h 5 min".
+/// Seconds with a unit that suits them: "12 ms", "0.17 s", "12 s", "3 min 20 s", "2 h 5 min".
 pub fn duration(seconds: f64) -> String {
+    if seconds < 0.000_5 {
+        return "under 1 ms".to_string();
+    }
+    if seconds < 0.099_5 {
+        return format!("{:.0} ms", seconds * 1000.0);
+    }
     if seconds < 9.995 {
         return format!("{seconds:.2} s").replace(".00 s", " s");
     }
@@ -65,6 +71,8 @@ mod tests {
         assert_eq!(counted(1, "render"), "1 render");
         assert_eq!(counted(0, "light"), "0 lights");
         assert_eq!(counted(1_099_785, "triangle"), "1,099,785 triangles");
+        assert_eq!(duration(0.000_1), "under 1 ms");
+        assert_eq!(duration(0.099), "99 ms");
         assert_eq!(duration(0.168), "0.17 s");
         assert_eq!(duration(9.999), "10 s");
         assert_eq!(duration(3.0), "3 s");

@@ -1,0 +1,155 @@
+//! What goes wrong: exit codes, words, and files left alone.
+
+use crate::bench::{BALL, Bench};
+
+#[test]
+fn a_scene_file_that_cannot_be_read_is_no_scene() {
+    let bench = Bench::new();
+    let run = bench.run("render bell.scn").ends(2).says("the scene file `bell.scn` does not exist");
+    run.says("looked for: ").says(&bench.path("bell.scn").display().to_string());
+    bench.run("render ball").ends(2).says("did you mean `ball.scn`?");
+    bench.run("render .").ends(2).says("is a folder");
+    bench.put("bytes.scn", b"scn 1 in m\n\xff\xfe");
+    bench.run("render bytes.scn").ends(2).says("is not UTF-8 text: line 2");
+    bench.run("lint bell.scn ball.scn").ends(2).says("`bell.scn` does not exist");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_device_is_no_scene() {
+    let bench = Bench::new();
+    for device in ["/dev/zero", "/dev/null", "/dev/full"] {
+        bench.run(&format!("render {device}")).ends(2).says("is a device");
+    }
+}
+
+#[test]
+fn with_errors_nothing_is_rendered_and_nothing_lost() {
+    let bench = Bench::new();
+    std::fs::create_dir_all(bench.path("out/bad")).unwrap();
+    bench.put("out/bad/left.png", "old");
+    // Two errors in two renders: both are told, and the render without a fault is not made.
+    let bad = format!("{BALL}\nrender a {{ stop.samples: 0 }}\nrender b {{ film.size: (0, 9) }}\n");
+    bench.put("bad.scn", bad);
+    let run = bench.run("render bad.scn").ends(1);
+    assert!(run.stderr.contains("2 errors in bad.scn"), "{}", run.stderr);
+    assert_eq!(run.stdout, "");
+    assert_eq!(bench.files(), ["bad.scn", "ball.scn", "out/bad/left.png"]);
+    assert_eq!(std::fs::read(bench.path("out/bad/left.png")).unwrap(), b"old");
+}
+
+#[test]
+fn faults_of_files_and_of_geometry_are_told_before_anything_is_rendered() {
+    let bench = Bench::new();
+    let bad = format!(
+        "{BALL}\nrender mesh {{ object m: mesh {{ file: \"no.obj\", unit: m, material: white }} }}\n\
+         render up {{ camera.up: z }}\n"
+    );
+    bench.put("bad.scn", bad);
+    let run = bench.run("render bad.scn").ends(1).says("no.obj").says("2 errors in bad.scn");
+    assert!(!run.stdout.contains("left"), "{}", run.stdout);
+    assert_eq!(bench.files(), ["bad.scn", "ball.scn"]);
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_found_before_rendering() {
+    let bench = Bench::new();
+    bench.put("out", "a file in the way");
+    let run = bench.run("render ball.scn --log json").ends(2);
+    let run =
+        run.says("the picture `out/ball/left.exr` needs the folder").says("a file is in its way");
+    assert_eq!(run.stdout, "");
+    bench.run("render ball.scn --only left -o ball.scn/a.png").ends(2).says("a file is in its way");
+    assert_eq!(bench.files(), ["ball.scn", "out"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn devices_are_no_place_for_pictures() {
+    let bench = Bench::new();
+    bench.put("ball.scn", BALL);
+    let link = bench.path("full.png");
+    std::os::unix::fs::symlink("/dev/full", link).unwrap();
+    bench.run("render ball.scn --only left -o full.png").ends(2).says("is a device");
+}
+
+#[test]
+fn options_out_of_range_are_refused() {
+    let bench = Bench::new();
+    for (options, words) in [
+        ("--threads 0", "--threads"),
+        ("--samples 0", "--samples"),
+        ("--scale -1", "-1"),
+        ("--crop 1,2,3", "write four numbers"),
+        ("--frobnicate", "--frobnicate"),
+        ("ball.scn", "unexpected argument"),
+    ] {
+        bench.run(&format!("render ball.scn {options}")).ends(2).says(words);
+    }
+    assert_eq!(bench.files(), ["ball.scn"]);
+}
+
+#[test]
+fn a_film_that_fills_the_memory_is_refused_and_a_long_one_rendered() {
+    let bench = Bench::new();
+    bench.put("wide.scn", BALL.replace("(32, 24)", "(65536, 65536)"));
+    bench.run("render wide.scn").ends(1).says("error[scene/too-much-memory]");
+    // A part of it is no trouble.
+    bench.run("render wide.scn --only left --crop 0,0,9,9 --samples 1").well();
+    bench.put("long.scn", BALL.replace("(32, 24)", "(1, 65535)"));
+    bench.run("render long.scn --only left --samples 1").well();
+}
+
+#[test]
+fn a_reader_that_goes_away_is_no_fault() {
+    let bench = Bench::new();
+    for arguments in ["list mesh", "explain", "render ball.scn --only left", "lint ball.scn"] {
+        let mut command = bench.command(arguments);
+        let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        assert_eq!(child.wait().unwrap().code(), Some(0), "{arguments}");
+    }
+    assert!(bench.path("out/ball/left.png").exists());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn names_that_are_no_text_work() {
+    use std::os::unix::ffi::OsStrExt;
+    let bench = Bench::new();
+    let name = std::ffi::OsStr::from_bytes(b"caf\xe9.scn");
+    std::fs::write(bench.path(name), BALL).unwrap();
+    let done = bench.command("render --only left").arg(name).output().unwrap();
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    let folder = bench.path("out").join(std::ffi::OsStr::from_bytes(b"caf\xe9"));
+    assert!(folder.join("left.png").exists());
+    // A single render is named like the file, as far as that is text.
+    let single = BALL.split("render left").next().unwrap();
+    std::fs::write(bench.path(name), single).unwrap();
+    let done = bench.command("render").arg(name).output().unwrap();
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    assert_eq!(std::fs::read_dir(folder).unwrap().count(), 4);
+}
+
+#[test]
+fn lint_tells_all_faults_of_all_files() {
+    let bench = Bench::new();
+    bench.run("lint ball.scn").well();
+    bench.put("bad.scn", BALL.replace("albedo: 0.8", "albedo: -0.8"));
+    let run = bench.run("lint ball.scn bad.scn").ends(1);
+    assert!(run.stdout.contains("ball.scn: 2 renders, no faults"), "{}", run.stdout);
+    assert!(run.stdout.contains("bad.scn:9:"), "{}", run.stdout);
+    assert!(run.stdout.contains("1 error in bad.scn"), "{}", run.stdout);
+
+    let run = bench.run("lint ball.scn bad.scn --format json").ends(1);
+    let report: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!((&report["errors"], &report["warnings"]), (&1.into(), &0.into()));
+    let fault = &report["diagnostics"][0];
+    assert_eq!(fault["level"], "error");
+    assert_eq!(fault["labels"][0]["file"], "bad.scn");
+    assert_eq!(fault["labels"][0]["line"], 9);
+    let code = fault["code"].as_str().unwrap();
+    assert!(bench.run(&format!("explain {code}")).well().stdout.starts_with("# "));
+
+    bench.run("lint bad.scn --set film.size=(0,0)").ends(1);
+}

@@ -1,0 +1,8 @@
+//! The command line from outside: the built binary, run in folders of its own.
+
+mod bench;
+mod faults;
+mod interrupt;
+mod logs;
+mod pictures;
+mod words;

@@ -1,0 +1,47 @@
+//! Help, lists and explanations.
+
+use crate::bench::Bench;
+
+#[test]
+fn help_and_version_are_no_faults() {
+    let bench = Bench::new();
+    for arguments in ["--help", "render --help", "lint --help", "explain --help", "list --help"] {
+        let run = bench.run(arguments).well();
+        assert!(run.stdout.contains("Examples:"), "{arguments}:\n{}", run.stdout);
+        assert!(run.stdout.lines().all(|line| line.chars().count() <= 100), "{}", run.stdout);
+    }
+    let version = format!("scn {}\n", env!("CARGO_PKG_VERSION"));
+    assert_eq!(bench.run("--version").well().stdout, version);
+    bench.run("").ends(2).says("Usage: scn <COMMAND>");
+    bench.run("rendr ball.scn").ends(2).says("'render'");
+}
+
+#[test]
+fn every_code_is_listed_and_explained() {
+    let bench = Bench::new();
+    let all = bench.run("explain").well().stdout;
+    for code in scn::diag::CODES {
+        let row = all.lines().find(|line| line.trim_start().starts_with(code.name)).unwrap();
+        assert!(row.trim().len() > code.name.len() + 3, "{row} has no title");
+    }
+    let first = scn::diag::CODES[0].name;
+    assert_eq!(bench.run(&format!("explain {first}")).well().stdout, scn::diag::CODES[0].page);
+    bench.run(&format!("explain error[{first}]:")).well();
+    let mut wrong = first.to_string();
+    wrong.pop();
+    bench.run(&format!("explain {wrong}")).ends(2).says(&format!("`{first}`"));
+    bench.run("explain zzz").ends(2).says("`scn explain` lists all of them");
+}
+
+#[test]
+fn words_of_the_language_are_listed() {
+    let bench = Bench::new();
+    let all = bench.run("list").well().stdout;
+    for kind in scn::scene::KINDS {
+        assert!(all.contains(kind.word), "{} is not in:\n{all}", kind.word);
+        bench.run(&format!("list {}", kind.word)).well();
+    }
+    assert!(bench.run("list diffuse").well().stdout.contains("albedo"));
+    assert!(bench.run("list units").well().stdout.contains("W mW kW"));
+    bench.run("list difuse").ends(2).says("no word `difuse`; did you mean `diffuse`");
+}
