@@ -38,13 +38,18 @@ struct Item {
 impl Tree {
     /// Over all shapes but planes.
     pub fn build(shapes: &Shapes) -> Self {
+        Self::followed(shapes, FOLLOWED)
+    }
+
+    /// The same, following obvhs's tree so deep.
+    pub(super) fn followed(shapes: &Shapes, depth: usize) -> Self {
         let boxed = |p| shapes.bounds_of(p).map(|b| Item { primitive: p, bounds: padded(b) });
         let items: Vec<Item> = shapes.primitives().filter_map(boxed).collect();
         let mut tree = Self { nodes: Vec::new(), blocks: Vec::new() };
         if !items.is_empty() {
             let clusters = cluster(&items);
             let weights = weights(&clusters, &items);
-            let mut builder = Builder { shapes, items, clusters, weights, tree: &mut tree };
+            let mut builder = Builder { shapes, items, clusters, weights, depth, tree: &mut tree };
             builder.root();
         }
         tree.nodes.shrink_to_fit();
@@ -131,6 +136,8 @@ struct Builder<'a> {
     items: Vec<Item>,
     clusters: Bvh2,
     weights: Vec<u32>,
+    /// How deep the clusters are followed.
+    depth: usize,
     tree: &'a mut Tree,
 }
 
@@ -161,7 +168,7 @@ impl Builder<'_> {
         for (lane, child) in self.open(cluster).into_iter().enumerate() {
             let (bounds, child) = if self.is_leaf(child) {
                 self.leaf(&self.under(child))
-            } else if depth + 1 < FOLLOWED {
+            } else if depth + 1 < self.depth {
                 let below = self.reserve();
                 (self.fill(below, child, depth + 1), Child::node(below))
             } else {

@@ -183,6 +183,22 @@ fn spheres_are_met_where_they_are() {
     }
 }
 
+/// Where b² − a·c has lost all that tells a hit from a miss.
+#[test]
+fn a_far_sphere_is_met_from_straight_above() {
+    let mut shapes = Shapes::new();
+    shapes.sphere(Sphere { centre: Vec3::ZERO, radius: 1.0, owner: Owner::default() });
+    let geometry = Geometry::build(shapes);
+    for z in [1e3, 1e6, 1e9, 1e12] {
+        for (x, height) in [(0.0, 1.0), (0.6, 0.8), (0.8, 0.6), (1.0_f32.next_down(), 0.0)] {
+            let hit = geometry.closest(&Ray::new(Vec3::new(x, 0.0, z), Vec3::NEG_Z)).unwrap();
+            assert!((hit.position - Vec3::new(x, 0.0, height)).length() < 1e-3, "{hit:?}");
+        }
+        let past = Ray::new(Vec3::new(1.0_f32.next_up(), 0.0, z), Vec3::NEG_Z);
+        assert_eq!(geometry.closest(&past), None);
+    }
+}
+
 #[test]
 fn disks_end_at_their_rims_and_planes_never() {
     let owner = Owner::default();

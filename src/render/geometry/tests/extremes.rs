@@ -4,6 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::by_hand;
 use super::meshes::{Chance, Mesh};
+use crate::render::geometry::tree::Tree;
 use crate::render::geometry::{
     Bounds, Disk, Geometry, Owner, Plane, Ray, Shapes, Sphere, Triangle,
 };
@@ -75,6 +76,28 @@ fn copies_of_spheres_and_of_points_build_too() {
     let hit = geometry.closest(&Ray::new(Vec3::ZERO, Vec3::X)).unwrap();
     assert_eq!((hit.object, hit.t), (0, 0.5));
     assert!(geometry.closest(&Ray::new(Vec3::ZERO, Vec3::ONE.normalize())).is_none());
+}
+
+/// A tree too deep for its stack is finished by halving, and answers as before.
+#[test]
+fn a_tree_cut_short_gives_the_same_answers() {
+    let mut shapes = Mesh::bumpy(3).shapes();
+    for object in 0..40 {
+        let centre = Vec3::splat(0.1 * object as f32 - 2.0);
+        shapes.sphere(Sphere { centre, radius: 0.3, owner: owner(object) });
+    }
+    let whole = Geometry::build(shapes.clone());
+    let mut chance = Chance::new(23);
+    let rays: Vec<Ray> =
+        (0..2000).map(|_| Ray::new(chance.cube().as_vec3(), chance.direction())).collect();
+    for followed in 1..6 {
+        let tree = Tree::followed(&shapes, followed);
+        let cut = Geometry { tree, bounds: whole.bounds(), shapes: shapes.clone() };
+        for ray in &rays {
+            assert_eq!(cut.closest(ray), whole.closest(ray), "{ray:?}");
+            assert_eq!(cut.occluded(ray), whole.occluded(ray), "{ray:?}");
+        }
+    }
 }
 
 /// Each half the size of the one before, towards a point: a tree as deep as floats allow.
