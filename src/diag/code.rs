@@ -76,7 +76,7 @@ codes! {
     MESH_SMOOTHING_GROUP = "mesh/smoothing-group";
     MESH_TOO_FEW_CORNERS = "mesh/too-few-corners";
     MESH_TOO_FEW_NUMBERS = "mesh/too-few-numbers";
-    MESH_TOO_MANY_NAMES = "mesh/too-many-names";
+    MESH_TOO_MUCH = "mesh/too-much";
     MESH_TWO_REPLACEMENTS = "mesh/two-replacements";
     MESH_UNKNOWN_MATERIAL = "mesh/unknown-material";
     MESH_UNKNOWN_STATEMENT = "mesh/unknown-statement";

@@ -8,6 +8,9 @@ use std::ops::Range;
 /// The most bytes of a line that are shown on either side of a place, and of the place itself.
 const SHOWN: usize = 60;
 
+/// The most words of a line that are looked at; one more shows that there are too many.
+pub(super) const MOST_WORDS: usize = 100_000;
+
 /// A few lines of a file around a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Excerpt {
@@ -52,7 +55,7 @@ impl<'a> Lines<'a> {
         self.at
     }
 
-    /// The next line that has words; they are put into `words`.
+    /// The next line that has words; they are put into `words`, at most [`MOST_WORDS`] and one.
     pub fn next(&mut self, words: &mut Vec<Range<usize>>) -> Option<Line> {
         while self.at < self.bytes.len() {
             let line = self.line(words);
@@ -91,7 +94,9 @@ impl<'a> Lines<'a> {
                     while at < bytes.len() && !self.ends_word(at) {
                         at += 1;
                     }
-                    words.push(start..at);
+                    if words.len() <= MOST_WORDS {
+                        words.push(start..at);
+                    }
                 }
             }
         }

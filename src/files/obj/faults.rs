@@ -63,7 +63,9 @@ pub enum What {
     /// `usemtl` or `mtllib` without a name.
     MissingName(&'static str),
     /// More different names after `usemtl` or `mtllib` than are read.
-    TooMany(&'static str, usize),
+    TooManyNames(&'static str, usize),
+    /// A line of more words than are read.
+    TooManyWords(usize),
 }
 
 /// What an index counts.

@@ -167,6 +167,9 @@ impl<'a> Scan<'a> {
     fn statement(&mut self, line: Line, words: &[Range<usize>]) {
         let bytes = self.bytes;
         self.found.understood += 1;
+        if words.len() > lines::MOST_WORDS {
+            return self.fault(What::TooManyWords(lines::MOST_WORDS), line, words[0].clone());
+        }
         match &bytes[words[0].clone()] {
             b"v" => self.vertex(line, words),
             b"vt" => {
@@ -388,7 +391,7 @@ impl<'a> Scan<'a> {
         let (name, line, place) = self.named.clone().unwrap_or_else(unnamed);
         let slot = self.found.slots.len() as u32;
         if self.found.slots.len() == MOST_MATERIALS {
-            self.fault(What::TooMany("usemtl", MOST_MATERIALS), line, place.clone());
+            self.fault(What::TooManyNames("usemtl", MOST_MATERIALS), line, place.clone());
         }
         let excerpt = lines::excerpt(self.bytes, line, place);
         self.found.slots.push((name.clone(), excerpt));
@@ -408,7 +411,7 @@ impl<'a> Scan<'a> {
         let several = parts.iter().all(|part| part.to_lowercase().ends_with(".mtl"));
         for name in if several { parts } else { vec![name] } {
             if self.found.libraries.len() == MOST_LIBRARIES {
-                self.fault(What::TooMany("mtllib", MOST_LIBRARIES), line, whole(words));
+                self.fault(What::TooManyNames("mtllib", MOST_LIBRARIES), line, whole(words));
                 return;
             }
             if !self.found.libraries.iter().any(|library| library.0 == name) {

@@ -142,6 +142,12 @@ fn faces_that_are_none_are_found() {
 }
 
 #[test]
+fn a_line_without_end_is_not_kept() {
+    let endless = format!("{TRIANGLE}f{}\n", " 1 2 3".repeat(1_000_000));
+    assert_eq!(one_fault(endless), (What::TooManyWords(100_000), 4, "f".into()));
+}
+
+#[test]
 fn a_fault_in_a_joined_line_is_found_in_its_own() {
     let (what, line, _) = one_fault(format!("{TRIANGLE}f 1 \\\n 2 \\\n 7\n"));
     assert_eq!(line, 6, "{what:?}");
@@ -164,7 +170,7 @@ fn names_of_libraries_may_hold_blanks() {
     assert_eq!(names("mtllib my paint.mtl\n"), ["my paint.mtl"]);
     assert_eq!(names("mtllib a.mtl b.MTL\nmtllib a.mtl\n"), ["a.mtl", "b.MTL"]);
     let many: String = (0..40).map(|i| format!("mtllib {i}.mtl\n")).collect();
-    assert_eq!(faults(many)[0].0, What::TooMany("mtllib", 32));
+    assert_eq!(faults(many)[0].0, What::TooManyNames("mtllib", 32));
 }
 
 #[test]

@@ -90,8 +90,14 @@ pub fn fault(file: &str, fault: &Fault, at: (Span, Span)) -> Diagnostic {
             "a name should follow".to_string(),
             "write the name, or remove the line",
         ),
-        What::TooMany(statement, most) => (
-            Code::MESH_TOO_MANY_NAMES,
+        What::TooManyWords(most) => (
+            Code::MESH_TOO_MUCH,
+            format!("line {line} of `{file}` has more than {most} words"),
+            "too long to read".to_string(),
+            "split the polygon into triangles in the program that made it",
+        ),
+        What::TooManyNames(statement, most) => (
+            Code::MESH_TOO_MUCH,
             format!("`{file}` has more than {most} different names after `{statement}`"),
             "one too many".to_string(),
             "split the mesh into several files",
