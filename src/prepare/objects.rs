@@ -136,14 +136,11 @@ impl Placing<'_> {
     /// The steps as one map.
     fn transform(&mut self, place: &At<scene::Place>) -> Option<Transform> {
         let transform = place.transform();
-        let fault = if transform.is_invertible() {
+        if transform.is_invertible() {
             return Some(transform);
-        } else if transform.0.matrix3.determinant() == 0.0 {
-            errors::flat_place(self.name, place.span)
-        } else {
-            errors::beyond_numbers(self.name, place.span)
-        };
-        self.found.push(fault);
+        }
+        // No factor is zero: their product was, or overflowed.
+        self.found.push(errors::beyond_numbers(self.name, place.span));
         None
     }
 

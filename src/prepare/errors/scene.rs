@@ -37,14 +37,6 @@ pub fn nothing_to_see(camera: Span) -> Diagnostic {
         .help("add an object, or place a camera yourself: `camera: perspective { eye: …, look_at: …, fov_y: … }`")
 }
 
-/// A place that has no inverse.
-pub fn flat_place(name: &At<String>, place: Span) -> Diagnostic {
-    Diagnostic::error(Code::SCENE_FLAT_PLACE, format!("the place of `{}` presses it flat", **name))
-        .label(place, "these steps leave no volume")
-        .why("A scale of zero, along one axis or all, takes every point of an object to one plane, line or point.")
-        .help("scale by what is small instead of zero; for a flat surface take a `quad` or a `disk`")
-}
-
 /// A sphere or disk that would become an ellipsoid or ellipse.
 pub fn uneven_scale(name: &At<String>, place: Span, what: &str) -> Diagnostic {
     let headline = format!("the {what} `{}` is scaled unevenly", **name);
@@ -69,7 +61,7 @@ pub fn no_area(name: &At<String>, spans: &[Span], because: &str) -> Diagnostic {
 pub fn beyond_numbers(name: &At<String>, object: Span) -> Diagnostic {
     let headline = format!("`{}` is too large, too small or too far away for numbers", **name);
     Diagnostic::error(Code::SCENE_BEYOND_NUMBERS, headline)
-        .label(object, "its coordinates or its size, placed, lie outside 1e-40 m to 1e40 m")
+        .label(object, "placed, its coordinates or its size lie outside 1e-40 m to 1e40 m")
         .why("Areas and volumes are products of coordinates; beyond these bounds they overflow or vanish, even in double precision.")
         .help("check units, exponents and the factors of `scale`")
 }
