@@ -3,10 +3,11 @@
 
 /// From linear to encoded.
 pub fn encode(linear: f64) -> f64 {
-    if linear <= 0.0031308 {
-        12.92 * linear.max(0.0)
-    } else {
-        1.055 * linear.min(1.0).powf(1.0 / 2.4) - 0.055
+    match linear {
+        // 1.055 − 0.055 is not 1 in f64.
+        linear if linear >= 1.0 => 1.0,
+        linear if linear <= 0.0031308 => 12.92 * linear.max(0.0),
+        linear => 1.055 * linear.powf(1.0 / 2.4) - 0.055,
     }
 }
 
