@@ -210,7 +210,7 @@ fn faults_of_the_mesh_are_told_in_it() {
     let (_, found, _) = stage(many.mesh("a.obj"));
     assert_eq!(found.len(), 20);
     let why = found[19].why.as_ref().unwrap();
-    assert_eq!(why, "`a.obj` has 80 further faults, often of the same kinds");
+    assert_eq!(why, "`a.obj` has 80 further faults, often of the same kinds.");
 }
 
 #[test]
@@ -240,7 +240,7 @@ fn triangles_left_out_are_counted_and_shown() {
     ];
     assert_eq!(told(mesh.clone()), wanted);
     let (stage, found, _) = stage(mesh);
-    assert_eq!(found[0].headline, "2 triangles of `a.obj` without area left out");
+    assert_eq!(found[0].headline, "2 triangles of `a.obj` have no area and are left out");
     assert_eq!(stage.unwrap().files[0].triangles, Some(1));
 }
 
@@ -277,7 +277,10 @@ fn a_ka_must_be_explained() {
     let mut mesh = folder.mesh("a.obj");
     assert_eq!(one(mesh.clone()), said(Code::MTL_AMBIENT, "a.mtl", 2, "Ka 4 5 6"));
     let (_, found, _) = stage(mesh.clone());
-    assert_eq!(found[0].headline, "`a.obj` must say what the Ka of its material `white` means");
+    assert_eq!(
+        found[0].headline,
+        "the scene must say what Ka means in the material `white` of `a.obj`"
+    );
     assert_eq!(found[0].mends.len(), 2);
     mesh.ambient = at(Some(Ambient::Emission));
     assert_eq!(paints(&stage(mesh.clone()).0.unwrap()), [([0.5; 3], [4.0, 5.0, 6.0])]);
@@ -339,6 +342,17 @@ fn a_file_is_read_once_and_its_faults_are_told_once() {
     let mesh = |stage: &Stage, i: usize| stage.meshes[i].as_ref().unwrap().mesh.clone();
     assert!(Arc::ptr_eq(&mesh(&first, 0), &mesh(&second, 1)));
     assert_eq!((first.files.len(), first.hash), (1, second.hash));
+}
+
+#[test]
+fn what_renders_share_is_told_for_the_first() {
+    let folder = Folder::with(&[("a.obj", PAINTED), ("a.mtl", "newmtl red\nKd 1\n")]);
+    let scene = scene(vec![("thing", folder.mesh("a.obj"))]);
+    let (mut loader, mut sources) = (Loader::new(&NoProgress), sources());
+    let (first, found) = loader.stage(&scene, &mut sources);
+    assert_eq!((first.is_none(), found.len()), (true, 1));
+    let (second, found) = loader.stage(&scene, &mut sources);
+    assert!(second.is_none() && found.is_empty());
 }
 
 #[test]

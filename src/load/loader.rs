@@ -1,5 +1,6 @@
 //! Reads what scenes name, each file once a run, and joins it to them.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
@@ -14,7 +15,7 @@ use crate::scene::{Object, Scene};
 pub struct Loader<'a> {
     shelf: Shelf<'a>,
     /// What was told: the renders of a file share their faults.
-    told: Vec<Diagnostic>,
+    told: HashSet<String>,
 }
 
 /// A file a stage rests on, and the digest of its bytes.
@@ -26,7 +27,7 @@ pub(super) struct Used {
 impl<'a> Loader<'a> {
     /// Nothing is read yet. `progress` is told the bytes of each mesh as they are read.
     pub fn new(progress: &'a dyn Progress) -> Self {
-        Self { shelf: Shelf::new(progress), told: Vec::new() }
+        Self { shelf: Shelf::new(progress), told: HashSet::new() }
     }
 
     /// Reads what the scene names. No stage if there is an error; a fault that was told for an
@@ -63,10 +64,21 @@ impl<'a> Loader<'a> {
             hash: hash(scene, &used),
             files: used.into_iter().map(|used| used.file).collect(),
         });
-        found.retain(|diagnostic| !self.told.contains(diagnostic));
-        self.told.extend(found.iter().cloned());
+        found.retain(|diagnostic| self.told.insert(fingerprint(diagnostic, sources)));
         (stage, found)
     }
+}
+
+/// The same for faults that say the same of the same places: an excerpt of a file may be among
+/// the sources several times.
+fn fingerprint(diagnostic: &Diagnostic, sources: &Sources) -> String {
+    let mut print = format!("{} {}", diagnostic.code, diagnostic.headline);
+    for label in &diagnostic.labels {
+        let (line, column) = sources.line_column(label.span);
+        let name = &sources.get(label.span.file).name;
+        print.push_str(&format!("\n{name}:{line}:{column} {}", label.text));
+    }
+    print
 }
 
 /// SHA-256 of the scene as JSON, then of each file's name and digest, in the order of first use.

@@ -15,6 +15,10 @@ pub use faults::{Fault, What};
 /// The longest file, in bytes.
 pub const LIMIT: u64 = 8_000_000;
 
+/// The statements whose values mean something here, for guessing which one was meant.
+pub const STATEMENTS: [&str; 11] =
+    ["newmtl", "Ka", "Kd", "Ks", "Ke", "Ns", "Ni", "d", "Tr", "illum", "map_Kd"];
+
 /// A value, and where it is said, in bytes of [`Library::text`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Said<T> {

@@ -20,6 +20,9 @@ pub use faults::{Fault, Notice, Of, Reading, Unread, What};
 /// The longest file, in bytes. Below it every count fits into 32 bits.
 pub const LIMIT: u64 = 2_000_000_000;
 
+/// The statements whose meaning is read, for guessing which one was meant.
+pub const STATEMENTS: [&str; 7] = ["v", "vt", "vn", "f", "usemtl", "mtllib", "s"];
+
 /// A mesh as its file says it, and where in the file things are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Obj {
@@ -75,22 +78,22 @@ pub fn excerpt(bytes: &[u8], number: u32) -> Option<Excerpt> {
 fn stranger(bytes: &[u8]) -> Option<&'static str> {
     const HEAD: usize = 4096;
     let starts: [(&[u8], &str); 10] = [
-        (b"ply\n", "is a PLY file; convert it to .obj"),
-        (b"ply\r", "is a PLY file; convert it to .obj"),
-        (b"solid ", "is an STL file; convert it to .obj"),
-        (b"glTF", "is a glTF file; convert it to .obj"),
-        (b"Kaydara FBX", "is an FBX file; convert it to .obj"),
-        (b"BLENDER", "is a Blender file; export it as .obj"),
+        (b"ply\n", "is a PLY file"),
+        (b"ply\r", "is a PLY file"),
+        (b"solid ", "is an STL file"),
+        (b"glTF", "is a glTF file"),
+        (b"Kaydara FBX", "is an FBX file"),
+        (b"BLENDER", "is a Blender file"),
         (b"\x89PNG", "is a PNG picture, not a mesh"),
-        (b"PK\x03\x04", "is a zip archive; unpack it first"),
-        (b"\x1f\x8b", "is compressed by gzip; unpack it first"),
-        (b"<?xml", "is an XML file; convert it to .obj"),
+        (b"PK\x03\x04", "is a zip archive"),
+        (b"\x1f\x8b", "is compressed by gzip"),
+        (b"<?xml", "is an XML file"),
     ];
     if let Some((_, what)) = starts.iter().find(|(start, _)| bytes.starts_with(start)) {
         return Some(what);
     }
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        return Some("is text in UTF-16; save it in UTF-8");
+        return Some("is text in UTF-16, not in UTF-8");
     }
     let head = &bytes[..bytes.len().min(HEAD)];
     head.contains(&0).then_some("is no text: it holds zero bytes")

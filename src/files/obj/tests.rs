@@ -218,7 +218,7 @@ fn concave_quadrilaterals_are_split_where_they_can_be() {
 
 #[test]
 fn other_formats_are_named() {
-    assert_eq!(refused(b"ply\nformat ascii"), "is a PLY file; convert it to .obj");
+    assert_eq!(refused(b"ply\nformat ascii"), "is a PLY file");
     assert_eq!(refused(b"\0\0\0"), "is no text: it holds zero bytes");
     assert_eq!(refused(b"newmtl white\nKd 1 1 1\n"), "is a .mtl file, not an .obj file");
     let garbage = "the quick brown fox\n".repeat(1000);

@@ -15,13 +15,13 @@ pub fn unreadable(
     beside: &[String],
 ) -> Diagnostic {
     let fault = Diagnostic::error(Code::FILE_UNREADABLE, format!("the file `{name}` {failure}"))
-        .label(span, format!("this file {failure}"));
+        .label(span, "names it");
     if failure.to_string() != "does not exist" {
-        return fault;
+        return fault.help("name a file that can be read");
     }
     let wanted = path.file_name().and_then(|name| name.to_str()).unwrap_or("");
     let fault = fault.why(format!(
-        "It was looked for at {}: names are relative to the file that holds them",
+        "It was looked for at {}: names are relative to the file that holds them.",
         super::super::files::shown(path)
     ));
     match nearest(wanted, beside.iter().map(String::as_str)) {
@@ -38,6 +38,6 @@ pub fn outside(obj: &str, name: &str, span: Span, field: Span) -> Diagnostic {
     )
     .label(span, "leads out of the folder of the .obj file")
     .label(field, "this file says so")
-    .why("A mesh from elsewhere could read any file of this computer that way")
+    .why("A mesh from elsewhere could read any file of this computer that way.")
     .help("put the .mtl file beside the .obj file, or name it in the scene: `mtl: \"…\"`")
 }

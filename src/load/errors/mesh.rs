@@ -3,7 +3,7 @@
 use super::{counted, listed, nearest};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::files::Failure;
-use crate::files::obj::{Fault, Notice, Unread, What};
+use crate::files::obj::{Fault, Notice, STATEMENTS, Unread, What};
 
 /// A statement that is wrong; `at` is its place and that of the field that names the file.
 pub fn fault(file: &str, fault: &Fault, at: (Span, Span)) -> Diagnostic {
@@ -106,6 +106,7 @@ pub fn fault(file: &str, fault: &Fault, at: (Span, Span)) -> Diagnostic {
     Diagnostic::error(code, headline).label(at.0, label).label(at.1, NAMED_HERE).help(help)
 }
 
+const HARMLESS: &str = "nothing to do if the program that wrote the file uses it for itself";
 const NAMED_HERE: &str = "the file is named here";
 
 /// One of them: "vertices" is "vertex".
@@ -124,58 +125,73 @@ pub fn notice(file: &str, notice: &Notice, at: (Span, Span)) -> Diagnostic {
         Unread::Unknown(word) => (
             Code::MESH_UNKNOWN_STATEMENT,
             format!("`{word}` in `{file}` is not a statement of a Wavefront file"),
-            format!("in {lines}, this one first"),
-            "nothing to do if the program that wrote the file uses it for itself",
+            match notice.count {
+                1 => "has no effect".to_string(),
+                _ => format!("has no effect, here and wherever it stands, in {lines}"),
+            },
+            match nearest(word, STATEMENTS) {
+                Some(near) => format!("write `{near}`, if that is meant"),
+                None => HARMLESS.to_string(),
+            },
         ),
         Unread::FreeForm => (
             Code::MESH_NOT_RENDERED,
-            format!("the curves and surfaces in `{file}` are not rendered"),
+            format!("the curves and surfaces in `{file}` are not rendered: only faces are"),
             format!("in {lines}, this one first"),
-            "export the mesh as polygons",
+            "export the mesh as polygons".to_string(),
         ),
-        Unread::Points | Unread::Lines => {
-            let (one, many) = match notice.what {
-                Unread::Points => ("points in 1 line", "points"),
-                _ => ("lines in 1 line", "lines"),
-            };
-            let what =
-                if notice.count == 1 { one.to_string() } else { format!("{many} in {lines}") };
-            (
-                Code::MESH_NOT_RENDERED,
-                format!("the {what} of `{file}` are not rendered: only faces are"),
-                "the first".to_string(),
-                "nothing to do if only the faces matter",
-            )
-        }
+        Unread::Points | Unread::Lines => (
+            Code::MESH_NOT_RENDERED,
+            match notice.what {
+                Unread::Points => {
+                    format!("the points in `{file}` are not rendered: only faces are")
+                }
+                _ => format!("the lines in `{file}` are not rendered: only faces are"),
+            },
+            match notice.count {
+                1 => "has no effect".to_string(),
+                count => format!("the first of {count}"),
+            },
+            "nothing to do if only the faces matter".to_string(),
+        ),
         Unread::VertexColours => (
             Code::MESH_NOT_RENDERED,
             format!("the colours of the vertices of `{file}` are not rendered"),
             format!("in {lines}, this one first"),
-            "colours come from materials: `usemtl` in the file, or `material` in the scene",
+            "colours come from materials: `usemtl` in the file, or `material` in the scene"
+                .to_string(),
         ),
         Unread::Concave => (
             Code::MESH_CONCAVE_FACE,
-            format!(
-                "{} of `{file}`, the first in line {line}, cannot be split well into triangles",
-                counted(notice.count, "face", "faces")
-            ),
+            match notice.count {
+                1 => format!(
+                    "the face in line {line} of `{file}` cannot be split well into triangles"
+                ),
+                _ => format!(
+                    "{} of `{file}`, the first in line {line}, cannot be split well into triangles",
+                    counted(notice.count, "face", "faces")
+                ),
+            },
             "no corner of it sees all others".to_string(),
-            "triangulate the mesh in the program that made it",
+            "triangulate the mesh in the program that made it".to_string(),
         ),
         Unread::ZeroNormal => (
             Code::MESH_ZERO_NORMAL,
-            format!(
-                "{} of `{file}`, the first in line {line}, of length zero",
-                counted(notice.count, "normal is", "normals are").replacen(" is", "", 1)
-            ),
+            match notice.count {
+                1 => format!("the normal in line {line} of `{file}` has length zero"),
+                _ => format!(
+                    "{} of `{file}`, the first in line {line}, have length zero",
+                    counted(notice.count, "normal", "normals")
+                ),
+            },
             "has no direction".to_string(),
-            "the faces that use it are shaded flat; export the normals again",
+            "the faces that use it are shaded flat; export the normals again".to_string(),
         ),
         Unread::Smoothing => (
             Code::MESH_SMOOTHING_GROUP,
             format!("faces of `{file}` without normals are shaded flat, whatever `s` says"),
             "smoothing groups are not computed".to_string(),
-            "export the mesh with normals (`vn`) to have it smooth",
+            "export the mesh with normals (`vn`) to have it smooth".to_string(),
         ),
     };
     Diagnostic::warning(code, headline).label(at.0, label).label(at.1, NAMED_HERE).help(help)
@@ -184,8 +200,8 @@ pub fn notice(file: &str, notice: &Notice, at: (Span, Span)) -> Diagnostic {
 /// A file that is no .obj file at all.
 pub fn other_format(file: &str, field: Span, failure: &Failure) -> Diagnostic {
     Diagnostic::error(Code::MESH_NOT_WAVEFRONT, format!("the mesh `{file}` {failure}"))
-        .label(field, format!("this file {failure}"))
-        .help("a mesh is read from a Wavefront .obj file; most programs export it")
+        .label(field, "not a Wavefront .obj file")
+        .help("export the mesh as .obj: nearly every program for meshes can")
 }
 
 /// A file without a face, or with `all` of its triangles without area.
@@ -208,7 +224,8 @@ pub fn no_faces(file: &str, all: usize, field: Span) -> Diagnostic {
 /// Triangles without area, left out.
 pub fn degenerate(file: &str, count: u64, at: Span, field: Span) -> Diagnostic {
     let triangles = counted(count, "triangle", "triangles");
-    let headline = format!("{triangles} of `{file}` without area left out");
+    let (have, are) = if count == 1 { ("has", "is") } else { ("have", "are") };
+    let headline = format!("{triangles} of `{file}` {have} no area and {are} left out");
     Diagnostic::warning(Code::MESH_DEGENERATE_TRIANGLES, headline)
         .label(at, "the first is in this face: its corners lie on a line or at a point")
         .label(field, NAMED_HERE)
@@ -218,11 +235,12 @@ pub fn degenerate(file: &str, count: u64, at: Span, field: Span) -> Diagnostic {
 /// Triangles that are there twice, left out.
 pub fn repeated(file: &str, count: u64, at: Span, field: Span) -> Diagnostic {
     let triangles = counted(count, "triangle", "triangles");
-    let headline = format!("{triangles} of `{file}` at the place of another one left out");
+    let (repeat, are) = if count == 1 { ("repeats", "is") } else { ("repeat", "are") };
+    let headline = format!("{triangles} of `{file}` {repeat} earlier ones and {are} left out");
     Diagnostic::warning(Code::MESH_REPEATED_TRIANGLES, headline)
         .label(at, "the first is in this face: an earlier one has the same corners")
         .label(field, NAMED_HERE)
-        .why("Of two surfaces at one place, chance would decide which one a ray meets")
+        .why("Of two surfaces at one place, chance would decide which one a ray meets.")
         .help("nothing to do if the first of them is the right one")
 }
 
@@ -246,8 +264,8 @@ pub fn unknown_material(file: &str, name: &str, span: Span, names: &[String]) ->
     )
     .label(span, "no such material there");
     let fault = match named.as_slice() {
-        [] => fault.why("Its faces name no material"),
-        all => fault.why(format!("The materials of its faces: {}", listed(all.iter().copied()))),
+        [] => fault.why("Its faces name no material."),
+        all => fault.why(format!("The materials of its faces: {}.", listed(all.iter().copied()))),
     };
     match nearest(name, named) {
         Some(near) => fault.help(format!("write `{near}`, if that is meant")),
@@ -289,11 +307,11 @@ pub fn missing_material(
     let mend = format!("give it one in the scene: `materials: {{ \"{name}\": … }}`");
     match names {
         None => fault
-            .why(format!("`{file}` names no .mtl file, and the scene gives none"))
+            .why(format!("`{file}` names no .mtl file, and the scene gives none."))
             .help(format!("{mend}, or name the file: `mtl: \"…\"`")),
         Some(names) => {
             let has = listed(names.iter().copied());
-            let fault = fault.why(format!("The .mtl file defines {has}"));
+            let fault = fault.why(format!("The .mtl file defines {has}."));
             match nearest(name, names.iter().copied()) {
                 Some(near) => {
                     fault.help(format!("write `usemtl {near}` if that is meant, or {mend}"))

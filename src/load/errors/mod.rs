@@ -9,7 +9,7 @@ pub(super) mod mtl;
 /// Adds to the last fault of a file told that there are more.
 pub(super) fn and_more(fault: Diagnostic, file: &str, more: u64) -> Diagnostic {
     let faults = counted(more, "further fault", "further faults");
-    fault.why(format!("`{file}` has {faults}, often of the same kinds"))
+    fault.why(format!("`{file}` has {faults}, often of the same kinds."))
 }
 
 /// The name nearest to `word`, if one is near.

@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use super::super::materials::Place;
-use super::{counted, listed};
+use super::{counted, listed, nearest};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::files::Failure;
-use crate::files::mtl::{Fault, Material, What};
+use crate::files::mtl::{Fault, Material, STATEMENTS, What};
 
 /// A statement that is wrong. `at` finds places in the file; `asked` is who names it.
 pub fn fault(
@@ -22,19 +22,19 @@ pub fn fault(
     let (code, headline, label, help) = match &fault.what {
         What::NotANumber(word) => (
             Code::MTL_BAD_NUMBER,
-            format!("`{word}` {of} is not a number"),
+            format!("a value {of} is not a number: `{word}`"),
             "no number".to_string(),
             "write a number, with a point before its decimals".to_string(),
         ),
         What::NotFinite(word) => (
             Code::MTL_BAD_NUMBER,
-            format!("`{word}` {of} is not a finite number"),
+            format!("a value {of} is not a finite number: `{word}`"),
             "not finite, or too large".to_string(),
             "write the number that is meant".to_string(),
         ),
         What::Negative(word) => (
             Code::MTL_NEGATIVE,
-            format!("`{word}` {of} is negative"),
+            format!("a value {of} is negative: `{word}`"),
             "below zero".to_string(),
             "write zero or more: there is no negative light".to_string(),
         ),
@@ -59,7 +59,7 @@ pub fn fault(
         ),
         What::NotAnIllum(word) => (
             Code::MTL_BAD_ILLUM,
-            format!("there is no model of illumination `{word}`, as {of}"),
+            format!("the illum {of} is no model of illumination: `{word}`"),
             "a whole number from 0 to 14".to_string(),
             "write `illum 1` for a diffuse surface".to_string(),
         ),
@@ -101,16 +101,19 @@ pub fn fault(
 /// A file that is no .mtl file at all.
 pub fn other_format(file: &str, asked: Span, failure: &Failure) -> Diagnostic {
     Diagnostic::error(Code::MTL_NOT_WAVEFRONT, format!("the file of materials `{file}` {failure}"))
-        .label(asked, format!("this file {failure}"))
+        .label(asked, "names it")
         .help("name a Wavefront .mtl file, or replace all materials in the scene: `material: …`")
 }
 
 /// A word that is no statement.
 pub fn unknown(file: &str, word: &str, at: Span) -> Diagnostic {
     let headline = format!("`{word}` in `{file}` is not a statement of a .mtl file");
-    Diagnostic::warning(Code::MTL_UNKNOWN_STATEMENT, headline)
-        .label(at, "has no effect")
-        .help("nothing to do if the program that wrote the file uses it for itself")
+    Diagnostic::warning(Code::MTL_UNKNOWN_STATEMENT, headline).label(at, "has no effect").help(
+        match nearest(word, STATEMENTS.iter().copied()) {
+            Some(near) => format!("write `{near}`, if that is meant"),
+            None => "nothing to do if the program that wrote the file uses it for itself".into(),
+        },
+    )
 }
 
 /// A Ka that is not zero, and a scene that does not say what it means.
@@ -119,7 +122,7 @@ pub fn ambient(file: &str, shining: &[(&str, Place, &Material)], field: Span) ->
     let materials = if shining.len() == 1 { "material" } else { "materials" };
     let mut fault = Diagnostic::error(
         Code::MTL_AMBIENT,
-        format!("`{file}` must say what the Ka of its {materials} {names} means"),
+        format!("the scene must say what Ka means in the {materials} {names} of `{file}`"),
     );
     let places = shining.iter().filter_map(|(_, at, said)| Some(at.span(said.ambient.as_ref()?)));
     for (i, span) in places.take(3).enumerate() {
@@ -127,7 +130,7 @@ pub fn ambient(file: &str, shining: &[(&str, Place, &Material)], field: Span) ->
     }
     fault
         .label(field, "this mesh uses it")
-        .why("Some programs write the light a surface emits as Ka, others write 1 1 1 everywhere")
+        .why("Some programs write the light a surface emits as Ka, others write 1 1 1 everywhere.")
         .help(
             "say it beside `file`: `ambient: emission` if such a surface shines, \
              `ambient: ignored` if it does not",
