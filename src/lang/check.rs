@@ -696,7 +696,12 @@ pub fn coordinates(
     what: &str,
 ) -> Option<DVec3> {
     if components.len() != 3 {
-        ev.reports.tell(types::three_coordinates(what, components.len(), span));
+        ev.reports.tell(types::three_coordinates(
+            what,
+            components.len(),
+            computed(components),
+            span,
+        ));
         return None;
     }
     let mut metres = [0.0; 3];
@@ -728,7 +733,12 @@ pub fn direction(ev: &Evaluator, value: &Value, what: &str) -> Option<DVec3> {
         return None;
     };
     if components.len() != 3 {
-        ev.reports.tell(types::three_coordinates(what, components.len(), value.span));
+        ev.reports.tell(types::three_coordinates(
+            what,
+            components.len(),
+            computed(components),
+            value.span,
+        ));
         return None;
     }
     let lengths = components.iter().any(|c| match c.kind {
@@ -747,4 +757,15 @@ pub fn direction(ev: &Evaluator, value: &Value, what: &str) -> Option<DVec3> {
         return None;
     }
     Some((DVec3::from_array(found) / largest).normalize())
+}
+
+/// Whether a component covers more text than a number alone does, blanks and a sign included.
+fn computed(components: &[Value]) -> bool {
+    components.iter().any(|component| match component.kind {
+        ValueKind::Number { value, .. } => {
+            let length = (component.span.end - component.span.start) as usize;
+            length > format!("{value}").len() + 2
+        }
+        _ => false,
+    })
 }

@@ -64,3 +64,50 @@ pub fn placed(checked: Checked, span: Span) -> At<Checked> {
     };
     At::new(value, span)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::check::{Checker, Declared, default_value};
+    use super::super::eval::Evaluator;
+    use crate::scene::KINDS;
+    use crate::scene::schema::{Field, Range, Type};
+
+    fn fields(ty: &Type, found: &mut Vec<Field>) {
+        let records = match ty {
+            Type::OneOf(variants) => variants.all,
+            Type::Record(record) => std::slice::from_ref(*record),
+            Type::List(inner) | Type::Map(inner) => return fields(inner, found),
+            _ => return,
+        };
+        for field in records.iter().flat_map(|record| record.fields) {
+            found.push(*field);
+            fields(&field.ty, found);
+        }
+    }
+
+    #[test]
+    fn every_default_of_the_schema_is_of_its_type_and_within_its_range() {
+        let ev = Evaluator::default();
+        let declared = Declared::new();
+        let checker = Checker::new(&ev, &declared);
+        let mut all = Vec::new();
+        for kind in KINDS {
+            fields(&kind.ty, &mut all);
+            if let Some(default) = kind.default {
+                let value = default_value(&ev, default);
+                let checked = checker.check(&value, &kind.ty, &Range::ANY, kind.word);
+                assert!(checked.is_some(), "{}", kind.word);
+            }
+        }
+        let mut defaults = 0;
+        for field in all {
+            let Some(default) = field.default else { continue };
+            let value = default_value(&ev, default);
+            let checked = checker.check(&value, &field.ty, &field.range, field.word);
+            assert!(checked.is_some(), "{}: {default}", field.word);
+            defaults += 1;
+        }
+        assert!(defaults > 20);
+        assert_eq!(ev.reports.errors(), 0);
+    }
+}

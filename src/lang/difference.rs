@@ -11,7 +11,7 @@ use super::ast::Word;
 use super::check::{Declared, default_value, position};
 use super::errors::{name as names, render, types};
 use super::eval::Evaluator;
-use super::resolve::{Action, Plan, What};
+use super::resolve::{Action, Plan, TOP, What};
 use super::value::{FieldValue, RecordValue, Thunk, Value, ValueKind};
 use crate::diag::Span;
 use crate::scene::KINDS;
@@ -108,14 +108,16 @@ impl Composer<'_> {
     }
 
     fn tell_clash(&self, a: &Action, b: &Action) {
-        let label = |action: &Action| match self.plan.scopes.get(action.scope) {
-            Some(scope) => scope.label.clone(),
-            None => "`--set`".to_string(),
+        let said = |action: &Action| render::Said {
+            path: action.text(),
+            span: action.path,
+            by: match self.plan.scopes.get(action.scope) {
+                Some(_) if action.scope == TOP => "at the top level".to_string(),
+                Some(scope) => format!("in {}", scope.label),
+                None => "by `--set`".to_string(),
+            },
         };
-        let path = if a.parts.len() <= b.parts.len() { a.text() } else { b.text() };
-        let (first, second) = (label(a), label(b));
-        let same = a.scope == b.scope;
-        self.ev.reports.tell(render::clash(&path, (a.path, &first), (b.path, &second), same));
+        self.ev.reports.tell(render::clash(&said(a), &said(b), a.scope == b.scope));
     }
 
     /// The value after an action; None: something was told.

@@ -442,8 +442,6 @@ fn reserved(word: &str) -> Option<&'static str> {
     }
     match word {
         "pi" => Some("the number 3.14159…"),
-        "x" | "y" | "z" => Some("a direction"),
-        "on" | "off" => Some("a switch"),
         _ => None,
     }
 }

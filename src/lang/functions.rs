@@ -8,6 +8,7 @@ use super::errors::types;
 use super::eval::Evaluator;
 use super::value::{Value, ValueKind};
 use crate::diag::Span;
+use crate::math::srgb;
 use crate::math::units::Dimension;
 use crate::scene::Step;
 
@@ -32,7 +33,7 @@ pub fn call(ev: &Evaluator, word: &Word, values: Vec<Value>, span: Span) -> Opti
     }
     let kind = match &*word.text {
         "rgb" => colour(ev, &values, |c| c),
-        "srgb" => colour(ev, &values, decoded),
+        "srgb" => colour(ev, &values, srgb::decode),
         "scale" => scale(ev, &values),
         "rotate" => rotate(ev, &values),
         _ => moved(ev, &values, span).map(|v| ValueKind::Step(Step::Move(v))),
@@ -50,16 +51,8 @@ fn numbers<const N: usize>(ev: &Evaluator, what: &str, values: &[Value]) -> Opti
 }
 
 fn colour(ev: &Evaluator, values: &[Value], decode: impl Fn(f64) -> f64) -> Option<ValueKind> {
-    // `rgb` of quantities is a colour of that dimension: rgb(1 W, 2 W, 3 W) * m^-2.
     let components = numbers::<3>(ev, "a component of a colour", values)?;
     Some(ValueKind::Colour(components.map(decode), Dimension::NONE))
-}
-
-/// The transfer function of sRGB (IEC 61966-2-1), odd beyond zero.
-fn decoded(c: f64) -> f64 {
-    let a = c.abs();
-    let linear = if a <= 0.04045 { a / 12.92 } else { ((a + 0.055) / 1.055).powf(2.4) };
-    linear.copysign(c)
 }
 
 fn scale(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
@@ -75,8 +68,8 @@ fn scale(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
 }
 
 fn rotate(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
-    let axis = check::direction(ev, &values[0], "the axis of `rotate`");
-    let angle = check::number(ev, &values[1], Dimension::ANGLE, "the angle of `rotate`");
+    let axis = check::direction(ev, &values[0], "the first argument of `rotate`");
+    let angle = check::number(ev, &values[1], Dimension::ANGLE, "the second argument of `rotate`");
     Some(ValueKind::Step(Step::Rotate(axis?, angle?)))
 }
 
@@ -84,18 +77,5 @@ fn moved(ev: &Evaluator, values: &[Value], span: Span) -> Option<DVec3> {
     match values {
         [vector] => check::point(ev, vector, "`move`"),
         _ => check::coordinates(ev, values, span, span.file, "`move`"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn srgb_is_decoded_as_its_standard_says() {
-        assert_eq!(decoded(0.0), 0.0);
-        assert!((decoded(1.0) - 1.0).abs() < 1e-15);
-        assert!((decoded(0.5) - 0.214_041_140_482_232_6).abs() < 1e-12);
-        assert!((decoded(0.04) - 0.04 / 12.92).abs() < 1e-15);
     }
 }

@@ -12,9 +12,9 @@ use super::limits;
 /// A fault of brackets or strings. Offsets are bytes of the text as given.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fault {
+    /// An opener without closer, and where the closer was put.
+    Unclosed { open: usize, bracket: char, end: usize },
     /// A string without its second quote: where it begins, where it was taken to end.
-    Unclosed { open: usize, bracket: char, noticed: Option<usize> },
-    /// Its quotes do not match.
     String { open: usize, end: usize },
     /// A closer without opener.
     Stray { at: usize, bracket: char },
@@ -107,6 +107,8 @@ struct Scanner<'t> {
     insert: Vec<(usize, &'static str)>,
     blank: Vec<usize>,
     muted: Vec<Range<usize>>,
+    /// Closing braces still to come, less the opening ones.
+    surplus: isize,
 }
 
 impl<'t> Scanner<'t> {
@@ -128,6 +130,7 @@ impl<'t> Scanner<'t> {
             insert: Vec::new(),
             blank: Vec::new(),
             muted: Vec::new(),
+            surplus: text.bytes().map(braces).sum(),
         }
     }
 
@@ -149,7 +152,9 @@ impl<'t> Scanner<'t> {
                     continue;
                 }
                 b'/' if self.bytes.get(at + 1) == Some(&b'/') => {
-                    at += line_rest(&self.bytes[at..]);
+                    let rest = line_rest(&self.bytes[at..]);
+                    self.surplus -= text_braces(&self.bytes[at..at + rest]);
+                    at += rest;
                     continue;
                 }
                 _ => {}
@@ -189,12 +194,13 @@ impl<'t> Scanner<'t> {
             if !is_word(byte) && byte != b'"' {
                 self.key = None;
             }
+            self.surplus -= text_braces(&self.bytes[at..next]);
             self.comma = (byte == b',').then_some(at);
             self.content_end = next;
             at = next;
         }
         while let Some(open) = self.open.pop() {
-            self.unclosed(open, self.content_end, None);
+            self.unclosed(open, self.content_end);
         }
     }
 
@@ -234,7 +240,7 @@ impl<'t> Scanner<'t> {
                 break;
             }
             self.open.pop();
-            self.unclosed(open, self.content_end, Some(at));
+            self.unclosed(open, self.content_end);
         }
         let Self { line, indent, .. } = *self;
         self.heads.push(Head { line, start: at, indent, depth: self.open.len() });
@@ -248,7 +254,7 @@ impl<'t> Scanner<'t> {
                 break;
             }
             self.open.pop();
-            self.unclosed(open, comma.unwrap_or(key), Some(key));
+            self.unclosed(open, comma.unwrap_or(key));
         }
     }
 
@@ -277,7 +283,7 @@ impl<'t> Scanner<'t> {
         while self.open.len() > found + 1 {
             let open = self.open.pop().expect("longer than found");
             let end = if first { self.content_end } else { at };
-            self.unclosed(open, end, Some(at));
+            self.unclosed(open, end);
         }
         self.open.pop();
     }
@@ -288,8 +294,7 @@ impl<'t> Scanner<'t> {
         let indent = self.indent;
         let in_line = top.is_some_and(|open| open.line == self.line);
         let fits = top.is_some_and(|open| !first || open.indent == indent);
-        let surplus = self.bytes[at..].iter().filter(|b| **b == b'}').count()
-            > self.bytes[at..].iter().filter(|b| **b == b'{').count() + self.open.len();
+        let surplus = self.surplus > self.open.len() as isize;
         if in_line || (fits && !surplus) || (fits && first) {
             return false;
         }
@@ -325,9 +330,9 @@ impl<'t> Scanner<'t> {
         true
     }
 
-    fn unclosed(&mut self, open: Open, end: usize, noticed: Option<usize>) {
+    fn unclosed(&mut self, open: Open, end: usize) {
         let bracket = open.bracket as char;
-        self.faults.push(Fault::Unclosed { open: open.at, bracket, noticed });
+        self.faults.push(Fault::Unclosed { open: open.at, bracket, end });
         self.insert.push((
             end,
             match open.bracket {
@@ -342,6 +347,9 @@ impl<'t> Scanner<'t> {
     }
 
     fn mute_line(&mut self, at: usize) {
+        if self.muted.last().is_some_and(|last| last.contains(&at)) {
+            return;
+        }
         let start = self.text[..at].rfind('\n').map_or(0, |newline| newline + 1);
         self.muted.push(start..at + line_rest(&self.bytes[at..]));
     }
@@ -371,6 +379,19 @@ impl<'t> Scanner<'t> {
     }
 }
 
+/// How much more a byte closes than it opens.
+fn braces(byte: u8) -> isize {
+    match byte {
+        b'}' => 1,
+        b'{' => -1,
+        _ => 0,
+    }
+}
+
+fn text_braces(bytes: &[u8]) -> isize {
+    bytes.iter().copied().map(braces).sum()
+}
+
 fn is_word(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || byte == b'_'
 }
@@ -383,9 +404,10 @@ fn line_rest(bytes: &[u8]) -> usize {
 /// Bytes of a number, or of a clock value with its colon.
 fn number_length(bytes: &[u8]) -> usize {
     let word = bytes.iter().take_while(|b| is_word(**b)).count();
-    let clock =
-        bytes.get(word) == Some(&b':') && bytes.get(word + 1).is_some_and(u8::is_ascii_digit);
-    if word <= 2 && clock { word + 3 } else { word }.min(bytes.len())
+    let minutes = bytes.get(word + 1..word + 3);
+    let clock = bytes.get(word) == Some(&b':')
+        && minutes.is_some_and(|minutes| minutes.iter().all(u8::is_ascii_digit));
+    if word <= 2 && clock { word + 3 } else { word }
 }
 
 /// Whether a line begins an item: a keyword of one, or `word [name] {.name} :`.

@@ -272,7 +272,7 @@ pub fn unknown_setup(word: &Word, all: &[&str]) -> Diagnostic {
     let told = Diagnostic::error(Code::NAME_UNKNOWN_SETUP, headline).label(word.span, "not known");
     match all {
         [] => told.help(format!("write it: `setup {} {{ … }}`", word.text)),
-        _ => offer(told, &word.text, word.span, all, "there are"),
+        _ => offer(told, &word.text, word.span, all, "setups and renders are"),
     }
 }
 

@@ -5,20 +5,39 @@ use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::ast::Word;
 use crate::lang::limits;
 
-/// Two items on one path, neither of which builds on the other.
-pub fn clash(path: &str, first: (Span, &str), second: (Span, &str), same: bool) -> Diagnostic {
-    let headline = match same {
-        true => format!("`{path}` is stated twice"),
-        false => format!("`{path}` is stated by two bases, and neither builds on the other"),
+/// An item of a clash: its path, its place, who says it.
+pub struct Said {
+    /// `film.exposure`
+    pub path: String,
+    /// Where.
+    pub span: Span,
+    /// "setup `bunny`"
+    pub by: String,
+}
+
+/// Two items on one path, or on a path and its part, neither of which builds on the other.
+pub fn clash(first: &Said, second: &Said, same: bool) -> Diagnostic {
+    let (whole, part) = match first.path.len() <= second.path.len() {
+        true => (first, second),
+        false => (second, first),
+    };
+    let path = &whole.path;
+    let headline = match (same, whole.path == part.path) {
+        (true, true) => format!("`{path}` is stated twice"),
+        (true, false) => format!("`{path}` is stated whole, and `{}` beside it", part.path),
+        (false, _) => format!("`{path}` is stated by two bases, and neither builds on the other"),
     };
     let told = Diagnostic::error(Code::RENDER_CLASH, headline)
-        .label(second.0, format!("stated in {}", second.1))
-        .label(first.0, format!("stated in {}", first.1));
-    match same {
-        true => told
+        .label(second.span, format!("stated {}", second.by))
+        .label(first.span, format!("stated {}", first.by));
+    match (same, whole.path == part.path) {
+        (true, true) => told
             .why("Order never matters: of two items in one place, neither wins.")
-            .help("keep one of them, or write all of it in one"),
-        false => told
+            .help("keep one of them"),
+        (true, false) => told
+            .why("A path changes what an earlier setup or the top level states, not its neighbour.")
+            .help(format!("write it inside `{path}`")),
+        (false, _) => told
             .why("Order never matters: an item wins only over those its setup or render builds on.")
             .help(format!(
                 "state `{path}` where both are used, or let one setup build on the other"

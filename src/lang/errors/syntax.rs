@@ -9,20 +9,27 @@ pub fn brackets(fault: &Fault, text: &str, file: FileId) -> Diagnostic {
     let place =
         |at: usize| Span::new(file, at, at + text[at..].chars().next().map_or(0, char::len_utf8));
     match fault {
-        Fault::Unclosed { open, bracket, noticed } => {
+        Fault::Unclosed { open, bracket, end } => {
             let closer = match bracket {
                 '(' => ')',
                 '[' => ']',
                 _ => '}',
             };
+            let here = Span::new(file, *end, *end);
+            // A brace that spans lines is closed on a line of its own.
+            let line = text[..*open].rfind('\n').map_or(0, |newline| newline + 1);
+            let start = &text[line..*open];
+            let indent = &start[..start.len() - start.trim_start().len()];
+            let written = match text[*open..*end].contains('\n') && closer == '}' {
+                true => format!("\n{indent}}}"),
+                false => closer.to_string(),
+            };
             let headline = format!("`{bracket}` is never closed");
-            let mut told = Diagnostic::error(Code::SYNTAX_UNCLOSED_BRACKET, headline)
-                .label(place(*open), "opened here");
-            if let Some(noticed) = noticed {
-                let what = format!("`{closer}` is missing before this");
-                told = told.label(place(*noticed), what);
-            }
-            told.help(format!("write `{closer}` where it ends"))
+            Diagnostic::error(Code::SYNTAX_UNCLOSED_BRACKET, headline)
+                .label(place(*open), "opened here")
+                .label(here, format!("`{closer}` belongs after this"))
+                .help(format!("write `{closer}` where it ends"))
+                .mend(format!("write `{closer}`"), here, written)
         }
         Fault::String { open, end } => {
             let span = Span::new(file, *open, *end);

@@ -136,13 +136,16 @@ pub fn not_whole(what: &str, found: f64, span: Span) -> Diagnostic {
         .label(span, "a whole number belongs here, zero or more")
 }
 
-/// Two or four coordinates.
-pub fn three_coordinates(what: &str, found: usize, span: Span) -> Diagnostic {
+/// Two or four coordinates. `difference`: one of them was computed.
+pub fn three_coordinates(what: &str, found: usize, difference: bool, span: Span) -> Diagnostic {
     let headline = format!("{what} has three coordinates, and here stand {found}");
-    Diagnostic::error(Code::TYPE_VECTOR_SIZE, headline)
+    let told = Diagnostic::error(Code::TYPE_VECTOR_SIZE, headline)
         .label(span, "expected x, y and z")
-        .why("`273 -800` is one number, a difference: a comma parts `273, -800`.")
-        .help("write `(x, y, z)`")
+        .help("write `(x, y, z)`");
+    match difference {
+        true => told.why("Without a comma, `1 -2` is a difference and one number."),
+        false => told,
+    }
 }
 
 /// Four or more components.

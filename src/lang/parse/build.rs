@@ -56,9 +56,8 @@ impl<'t> Builder<'t> {
 
     /// Where a pair stands, without the blanks after it.
     fn span(&self, pair: &Pair) -> Span {
-        let length = pair.as_str().trim_end().len();
         let start = self.offset + pair.as_span().start();
-        self.place(start, start + length)
+        self.place(start, start + code(pair.as_str()).len())
     }
 
     /// A file.
@@ -131,7 +130,7 @@ impl<'t> Builder<'t> {
             }
             let span = self.span(&pair);
             let start = self.offset + pair.as_span().start();
-            let end = start + pair.as_str().trim_end().len();
+            let end = start + code(pair.as_str()).len();
             let parted = last.is_none() || self.source[last_end..start].contains('\n');
             if !parted && rule != Rule::broken {
                 let last = last.expect("not parted from it");
@@ -158,7 +157,7 @@ impl<'t> Builder<'t> {
                 self.poison(text);
                 if parted {
                     let start = self.offset + pair.as_span().start();
-                    let told = explain::item(self, text.trim_end(), start);
+                    let told = explain::item(self, code(text), start);
                     self.diagnostics.push(told);
                 }
                 return None;
@@ -195,14 +194,14 @@ impl<'t> Builder<'t> {
             }
             Rule::set => Item::Set(Arc::new(self.set(pair))),
             Rule::valueless => {
-                let text = pair.as_str().trim_end().trim_end_matches([':', '=']).trim_end();
+                let text = code(pair.as_str()).trim_end_matches([':', '=']).trim_end();
                 self.diagnostics.push(syntax::missing_value(text, span));
                 self.poison(text);
                 return None;
             }
             Rule::colonless => return self.colonless(pair),
             Rule::bodiless => {
-                self.diagnostics.push(syntax::missing_body(pair.as_str().trim_end(), span));
+                self.diagnostics.push(syntax::missing_body(code(pair.as_str()), span));
                 let mut inner = pair.into_inner();
                 let is_render = inner.next()?.as_rule() == Rule::kw_render;
                 let name = self.name(inner.next()?);
@@ -544,7 +543,7 @@ impl<'t> Builder<'t> {
         for part in pair.into_inner() {
             let span = self.span(&part);
             let start = self.offset + part.as_span().start();
-            let end = start + part.as_str().trim_end().len();
+            let end = start + code(part.as_str()).len();
             match part.as_rule() {
                 Rule::sep => last = None,
                 Rule::semicolon => {
@@ -561,15 +560,25 @@ impl<'t> Builder<'t> {
                     record.partial |= !self.entry(part, &mut record.entries);
                 }
                 Rule::entry_valueless => {
-                    let text = part.as_str().trim_end().trim_end_matches([':', '=']).trim_end();
+                    let text = code(part.as_str()).trim_end_matches([':', '=']).trim_end();
                     self.diagnostics.push(syntax::missing_value(text, span));
                     record.partial = true;
                     last = None;
                 }
                 _ => {
-                    record.partial = true;
-                    let told = explain::entry(self, part.as_str().trim_end(), start);
-                    self.diagnostics.push(told);
+                    // It may only stand before something broken.
+                    let outer = self.shift(start);
+                    let text = code(part.as_str());
+                    let whole = match explain::entry_alone(text) {
+                        Some(entry) => self.entry(entry, &mut record.entries),
+                        None => {
+                            let told = explain::entry(self, text, start);
+                            self.diagnostics.push(told);
+                            false
+                        }
+                    };
+                    self.unshift(outer);
+                    record.partial |= !whole;
                     last = None;
                 }
             }
@@ -619,4 +628,32 @@ fn range(from: Expr, sums: Vec<Arc<Expr>>, span: Span) -> Expr {
             Expr { kind, span }
         }
     }
+}
+
+/// A text without the blanks and comments that end it.
+fn code(text: &str) -> &str {
+    let text = text.trim_end();
+    if !text.contains("//") {
+        return text;
+    }
+    let (mut end, mut at, mut quoted) = (0, 0, false);
+    let bytes = text.as_bytes();
+    while at < bytes.len() {
+        match bytes[at] {
+            b'\\' if quoted => at += 1,
+            b'"' => quoted = !quoted,
+            b'\n' => quoted = false,
+            b'/' if !quoted && bytes.get(at + 1) == Some(&b'/') => {
+                at += bytes[at..].iter().position(|b| *b == b'\n').unwrap_or(bytes.len() - at);
+                continue;
+            }
+            _ => {}
+        }
+        if !bytes[at.min(bytes.len() - 1)].is_ascii_whitespace() {
+            end = at + 1;
+        }
+        at += 1;
+    }
+    // Only ASCII ends a form of the language; anything else ends where the text does.
+    text.get(..end).unwrap_or(text)
 }

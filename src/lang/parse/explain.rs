@@ -4,7 +4,7 @@
 use pest::Parser;
 
 use super::build::Builder;
-use super::{Grammar, Rule, stopped};
+use super::{Grammar, Pair, Rule, stopped};
 use crate::diag::{Diagnostic, FileId, Span};
 use crate::lang::errors::syntax;
 
@@ -16,6 +16,11 @@ pub fn item(builder: &Builder, text: &str, start: usize) -> Diagnostic {
 /// Tells of a field.
 pub fn entry(builder: &Builder, text: &str, start: usize) -> Diagnostic {
     refused(builder, Rule::entry_alone, text, start)
+}
+
+/// A text as a field, if it is one.
+pub fn entry_alone(text: &str) -> Option<Pair<'_>> {
+    Grammar::parse(Rule::entry_alone, text).ok()?.next()?.into_inner().next()
 }
 
 fn refused(builder: &Builder, rule: Rule, text: &str, start: usize) -> Diagnostic {
