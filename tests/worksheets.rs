@@ -1,0 +1,126 @@
+//! The figures of the worksheets done so far: each has a render that makes it, every shipped
+//! render works, and what must differ or agree does.
+
+use std::sync::LazyLock;
+
+use scn::measure::statistics::{Moments, welch};
+
+mod shots;
+use shots::Shot;
+
+/// The side of a picture here, as a part of its full one: 512 pixels become 32.
+const SCALE: f64 = 1.0 / 16.0;
+/// Pictures of different seeds that an estimate is made of.
+const BATCHES: u64 = 16;
+/// So many standard errors apart, two expectations differ; fixed seeds make it no gamble.
+const APART: f64 = 4.0;
+
+/// A worksheet: its scene file and the numbers of its figures.
+struct Worksheet {
+    file: &'static str,
+    figures: std::ops::RangeInclusive<u32>,
+}
+
+const WORKSHEETS: &[Worksheet] =
+    &[Worksheet { file: "scenes/w01_first_pictures.scn", figures: 1..=6 }];
+
+static FIRST: LazyLock<Vec<Shot>> = LazyLock::new(|| shots::open(WORKSHEETS[0].file));
+
+fn shot(name: &str) -> &'static Shot {
+    FIRST.iter().find(|shot| shot.name == name).unwrap_or_else(|| panic!("no render {name}"))
+}
+
+/// The figure a caption begins with: "Figure 12. …", "Figure 12, left. …".
+fn figure(caption: &str) -> Option<u32> {
+    let rest = caption.strip_prefix("Figure ")?;
+    let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+    let follows = rest[digits..].starts_with(['.', ',']);
+    follows.then(|| rest[..digits].parse().ok())?
+}
+
+/// The mean of a render's picture over all pixels and channels, once a seed.
+fn means(name: &str) -> Moments {
+    let shot = shot(name);
+    let prepared = shot.prepare(SCALE);
+    let mean = |seed| {
+        let picture = shot.picture(&prepared, seed);
+        let sum: f64 = picture.pixels.iter().flat_map(|p| p.to_array()).map(f64::from).sum();
+        sum / (3 * picture.pixels.len()) as f64
+    };
+    (0..BATCHES).map(mean).collect()
+}
+
+#[test]
+fn every_figure_has_a_render() {
+    for sheet in WORKSHEETS {
+        let shots = shots::open(sheet.file);
+        for number in sheet.figures.clone() {
+            let found = shots.iter().any(|shot| figure(shot.caption()) == Some(number));
+            assert!(found, "{}: no caption begins with Figure {number}.", sheet.file);
+        }
+    }
+}
+
+#[test]
+fn every_worksheet_is_in_the_table() {
+    for entry in std::fs::read_dir(shots::path("scenes")).unwrap() {
+        let name = format!("scenes/{}", entry.unwrap().file_name().to_str().unwrap());
+        let listed = WORKSHEETS.iter().any(|sheet| sheet.file == name);
+        assert!(listed || !name.ends_with(".scn"), "{name} is in no row of WORKSHEETS");
+    }
+}
+
+#[test]
+fn every_render_makes_a_picture() {
+    for sheet in WORKSHEETS {
+        for shot in shots::open(sheet.file) {
+            let picture = shot.picture(&shot.prepare(SCALE), 0);
+            assert_eq!((picture.width, picture.height), (32, 32), "{}", shot.name);
+            let values: Vec<f32> = picture.pixels.iter().flat_map(|p| p.to_array()).collect();
+            let (low, high) = values.iter().fold((f32::MAX, 0.0f32), |(low, high), &value| {
+                assert!(value >= 0.0 && value.is_finite(), "{}: {value}", shot.name);
+                (low.min(value), high.max(value))
+            });
+            assert!(high > low, "{} shows nothing", shot.name);
+        }
+    }
+}
+
+#[test]
+fn figures_that_show_different_things_differ() {
+    let pairs = [
+        ("fig01", "fig02"),          // the headlight is no directional light
+        ("fig02", "fig03_override"), // pink
+        ("fig02", "fig04"),          // shadows on the bunny
+        ("fig05", "fig06"),          // shadows in the box
+    ];
+    for (a, b) in pairs {
+        let (score, _, _) = welch(&means(a), &means(b));
+        assert!(score.abs() > APART, "{a} and {b} differ by {score} standard errors only");
+    }
+}
+
+#[test]
+fn more_rays_a_pixel_change_no_expectation() {
+    let sixteen = means("rays_16");
+    for name in ["rays_1", "rays_4", "rays_9"] {
+        let (score, _, _) = welch(&means(name), &sixteen);
+        assert!(score.abs() < APART, "{name} is {score} standard errors from sixteen rays");
+    }
+}
+
+#[test]
+fn what_is_said_in_two_ways_is_the_same_picture() {
+    for (a, b) in [("fig03_mtl", "fig03_override"), ("fig04", "rays_16")] {
+        let picture = |name| shot(name).picture(&shot(name).prepare(SCALE), 7);
+        assert!(picture(a) == picture(b), "{a} and {b} differ");
+    }
+}
+
+#[test]
+fn captions_tell_their_figure() {
+    assert_eq!(figure("Figure 12. x"), Some(12));
+    assert_eq!(figure("Figure 3, again."), Some(3));
+    assert_eq!(figure("Figure 4 with 1 rays a pixel."), None);
+    assert_eq!(figure("See Figure 4."), None);
+}
