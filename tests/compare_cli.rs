@@ -289,6 +289,11 @@ fn what_the_files_say_differently_is_told() {
     let notes = json["notes"].to_string();
     assert!(notes.contains("one scene and one seed"), "{notes}");
     assert!(notes.contains("c.exr has fewer samples than a.exr"), "{notes}");
+    // A note is told in lines no longer than a page is wide.
+    let told = folder.compare(&["a.exr", "c.exr"]).stdout;
+    assert!(told.contains("\nnote: a.exr and c.exr are of one scene and one seed"), "{told}");
+    assert!(told.lines().all(|line| line.chars().count() <= 100), "{told}");
+
     let json = folder.json(&["a.exr", "a.exr"]);
     assert!(json["notes"][0].as_str().unwrap().contains("the same file"), "{json}");
 }

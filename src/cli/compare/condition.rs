@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::metric_names;
 use crate::cli::near::{either, near};
 use crate::measure::{METRICS, Metric};
 
@@ -60,8 +59,8 @@ impl Condition {
 }
 
 fn unknown(name: &str) -> String {
-    let all: Vec<_> = metric_names().collect();
-    let hint = match near(name, metric_names()).as_slice() {
+    let all: Vec<_> = METRICS.iter().map(|metric| metric.name).collect();
+    let hint = match near(name, all.iter().copied()).as_slice() {
         [] => String::new(),
         names => format!("; did you mean {}?", either(names)),
     };

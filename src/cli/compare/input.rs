@@ -33,7 +33,7 @@ struct Part {
 impl Input {
     /// Reads an EXR or a PNG.
     pub fn read(path: &Path) -> Result<Self, Refusal> {
-        let shown = path.display();
+        let shown = shown(path);
         let refuse = |failure: files::Failure| format!("`{shown}` {failure}");
         let of = |picture, radiance, words, part| Self {
             path: path.to_path_buf(),
@@ -110,6 +110,11 @@ pub fn name(inputs: &mut [Input]) {
         let name = if alike { input.path.to_string_lossy() } else { files[i].as_str().into() };
         input.name = shortened(&super::remarks::harmless(&name));
     }
+}
+
+/// A path as it is told.
+pub fn shown(path: &Path) -> String {
+    super::remarks::harmless(&path.to_string_lossy())
 }
 
 /// The end of a long name.

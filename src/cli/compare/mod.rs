@@ -13,9 +13,9 @@ use super::options::Form;
 use super::{End, terminal};
 use crate::files;
 use crate::math::Picture;
-use crate::measure::{self, METRICS, Metric, Metrics};
+use crate::measure::{self, Metric, Metrics};
 use condition::Condition;
-use input::Input;
+use input::{Input, shown};
 
 pub use options::Compare;
 
@@ -110,7 +110,7 @@ fn compare(options: &Compare) -> Result<End, Vec<Refusal>> {
     let conditions = conditions.collect();
     let comparison = Comparison { tests, reference, settings, conditions, difference };
     match options.format {
-        Form::Human => terminal::say(&report::human(&comparison)),
+        Form::Human => terminal::say(&report::human(&comparison, terminal::stdout_look().width)),
         Form::Json => terminal::say(&json::json(&comparison)),
     }
     Ok(judge(&comparison))
@@ -172,7 +172,7 @@ fn read(paths: &[&PathBuf]) -> Result<Vec<Input>, Vec<Refusal>> {
 
 /// Finds out before the work whether the difference picture can be written.
 fn check_output(path: &Path, inputs: &[&PathBuf]) -> Result<(), Refusal> {
-    let shown = path.display();
+    let shown = shown(path);
     if !input::has_ending(path, "png") {
         return Err(format!("the difference picture is a PNG, but `{shown}` does not end in .png"));
     }
@@ -209,7 +209,7 @@ fn write_difference<'a>(
         ("scn:version".to_string(), env!("CARGO_PKG_VERSION").to_string()),
     ];
     files::png::write(path, &beside(&maps), 1.0, &words)
-        .map_err(|failure| format!("`{}` {failure}", path.display()))?;
+        .map_err(|failure| format!("`{}` {failure}", shown(path)))?;
     Ok(Difference { path, shows })
 }
 
@@ -221,9 +221,4 @@ fn beside(pictures: &[Picture]) -> Picture {
         pictures.iter().flat_map(move |it| &it.pixels[y * it.width..(y + 1) * it.width])
     });
     Picture { width, height, pixels: rows.copied().collect() }
-}
-
-/// The metrics with this name or near it: for messages.
-fn metric_names() -> impl Iterator<Item = &'static str> {
-    METRICS.iter().map(|metric| metric.name)
 }

@@ -50,7 +50,9 @@ pub fn notes(comparison: &Comparison) -> Vec<String> {
             notes.push(format!(
                 "{a} and {b} are of different scenes, or of one that was changed between them."
             ));
-        } else if both("scn:seed").is_some_and(|(x, y)| x == y) {
+        } else if input.radiance == reference.radiance
+            && both("scn:seed").is_some_and(|(x, y)| x == y)
+        {
             notes.push(format!(
                 "{a} and {b} are of one scene and one seed: they may share random numbers, and \
                  then their noise is alike and the error shown too small. Render the reference \

@@ -1,13 +1,15 @@
 //! The figures for a person: one column a picture.
 
+use super::input::shown;
 use super::{Comparison, remarks, undefined};
+use crate::diag::print::wrapped;
 use crate::measure::METRICS;
 
 /// Digits that are shown of a figure.
 const DIGITS: i32 = 4;
 
-/// The report, ready to print.
-pub fn human(comparison: &Comparison) -> String {
+/// The report, ready to print; its notes in lines of `width` characters.
+pub fn human(comparison: &Comparison, width: usize) -> String {
     let picture = &comparison.reference.picture;
     let mut text = format!(
         "Against {}, {} × {} pixels\n\n",
@@ -21,10 +23,14 @@ pub fn human(comparison: &Comparison) -> String {
     }
     text.push_str(&files_table(comparison));
     for note in remarks::notes(comparison) {
-        text.push_str(&format!("\nnote: {note}\n"));
+        text.push('\n');
+        for line in wrapped(&format!("note: {note}"), width) {
+            text.push_str(&line);
+            text.push('\n');
+        }
     }
     if let Some(difference) = &comparison.difference {
-        let path = difference.path.display();
+        let path = shown(difference.path);
         text.push_str(&format!(
             "\n{} as a picture, black 0 to pale yellow 1: {path}\n",
             difference.shows
