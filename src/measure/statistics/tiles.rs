@@ -328,6 +328,16 @@ mod tests {
     }
 
     #[test]
+    fn a_variance_of_few_degrees_widens_the_tails() {
+        let truth = Estimate::exact(&Picture::black(1, 1));
+        let mut estimate = truth.clone();
+        (estimate.mean[0], estimate.variance[0], estimate.freedom) = ([2.0; 3], [1.0; 3], 3.0);
+        let worst = z_blocks(&estimate, &truth, 1, 0.01).worst.unwrap();
+        // Two standard errors, 2 · t.sf(2, 3) of SciPy; a normal would say 0.0455.
+        assert!((worst.p - 0.139_326).abs() < 1e-5, "{}", worst.p);
+    }
+
+    #[test]
     fn welch_by_hand() {
         let a: Moments = [1.0, 2.0, 3.0, 4.0].into_iter().collect();
         let b: Moments = [5.0, 5.5, 9.0].into_iter().collect();
