@@ -182,3 +182,17 @@ pub(super) struct Surface {
     pub ns: Vec3,
     pub uv: Vec2,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverses_are_finite_and_zeros_alike() {
+        assert_eq!(inverse(-0.5), -2.0);
+        assert_eq!(inverse(0.0), inverse(-0.0));
+        for d in [0.0, 1e-45, -1e-45, 1e-38, -1e-30, 1.0] {
+            assert!(inverse(d).is_finite() && inverse(d) * d >= 0.0, "{d}");
+        }
+    }
+}

@@ -83,6 +83,30 @@ fn flat_shapes_are_left_for_good() {
     }
 }
 
+/// A hit at zero has no ulp to be off by; what is left is what f64 lost on the way there.
+#[test]
+fn a_triangle_through_the_origin_is_left_there_for_good() {
+    let mut chance = Chance::new(17);
+    for _ in 0..300 {
+        let mut shapes = Shapes::new();
+        let [a, b] = [(); 2].map(|()| chance.cube().as_vec3());
+        let corners = [a, b, -a, -b].map(|p| shapes.vertex(p));
+        shapes.quad(corners, Owner::default());
+        let geometry = Geometry::build(shapes);
+        for _ in 0..50 {
+            let direction = chance.direction();
+            // Exactly towards the origin, since a power of two moves no digit.
+            let Some(hit) = geometry.closest(&Ray::new(-4.0 * direction, direction)) else {
+                continue;
+            };
+            assert!(hit.position.length() < 1e-12, "{hit:?}");
+            let cosine = cosine(&mut chance);
+            let ray = hit.ray(at_cosine(&mut chance, hit.ng, cosine));
+            assert!(!geometry.occluded(&ray), "{hit:?}, cosine {cosine}");
+        }
+    }
+}
+
 #[test]
 fn spheres_are_left_outwards_for_good_and_inwards_to_the_far_side() {
     let mut chance = Chance::new(12);
@@ -198,6 +222,31 @@ fn shadow_rays_see_whatever_is_there_to_see() {
             assert!(open.occluded(&between(&lamp, &outside)), "through a wall");
         }
         assert!(seen > 1500, "only {seen}");
+    }
+}
+
+/// Where coordinates are small their errors are too, and the direction's rounding is what is left.
+#[test]
+fn a_long_shadow_ray_ends_before_a_surface_through_the_origin() {
+    let mut chance = Chance::new(16);
+    let owner = Owner::default();
+    for scale in SCALES {
+        let mut shapes = Shapes::new();
+        let normal = chance.direction();
+        let radius = scale as f32;
+        let lamp = shapes.disk(Disk { centre: Vec3::ZERO, normal, radius, owner });
+        let geometry = Geometry::build(shapes);
+        for _ in 0..3000 {
+            let u = 1e-3 * chance.square() + 0.5;
+            let to = geometry.sample(lamp, u).unwrap();
+            let cosine = cosine(&mut chance);
+            if cosine.abs() < 1e-3 {
+                continue;
+            }
+            let away = at_cosine(&mut chance, normal, cosine) * (50.0 * scale) as f32;
+            let from = Point::free(to.position + away);
+            assert!(!geometry.occluded(&between(&from, &to)), "cosine {cosine} × {scale}");
+        }
     }
 }
 
