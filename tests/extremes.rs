@@ -166,6 +166,22 @@ fn lamps_of_any_size_light_alike() {
 }
 
 #[test]
+fn light_may_be_beyond_single_precision_on_its_way() {
+    // So close to so bright a lamp the irradiance is 4e40; the picture of a black floor is not.
+    for factor in [1e-36, 1e36] {
+        let hand = Hand::new(integrator(true, scene::AreaLights::Center))
+            .material("black", 1e-6, 0.0)
+            .material("lamp", 0.0, factor)
+            .quad(DVec3::ZERO, DVec3::X, DVec3::Y, "black")
+            .quad(DVec3::Z * 0.005, DVec3::Y * 0.5, DVec3::X * 0.5, "lamp")
+            .camera(dvec3(0.0, 0.001, 0.002), DVec3::ZERO, 1e-3);
+        let found = f64::from(hand.picture().pixels[0].g) / factor;
+        let expected = 1e-6 / PI / 0.005_f64.powi(2);
+        assert!((found / expected - 1.0).abs() < 1e-5, "{found} for {expected}");
+    }
+}
+
+#[test]
 fn a_white_furnace_from_a_million_samples_keeps_its_digits() {
     let hand = Hand::new(direct()).background(0.1).camera(DVec3::Z, DVec3::ZERO, 40.0);
     let prepared = hand.prepared();

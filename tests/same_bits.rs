@@ -3,12 +3,15 @@
 
 mod by_hand;
 
+use std::sync::Mutex;
+
 use glam::{DVec3, dvec3};
 use scn::math::{Picture, Rgb};
 use scn::measure::statistics::{Moments, welch};
 use scn::prepare::Settings;
 use scn::render::film::BLOCK;
 use scn::render::tiles::Threads;
+use scn::run::Watch;
 use scn::scene::{self, Step};
 
 use by_hand::{Hand, Patient, Ticking, at, bumpy_ball, difference, direct, render, still_life};
@@ -37,6 +40,30 @@ fn any_cut_into_passes_gives_the_same_bits() {
         let watch = Ticking::new(step, u64::MAX);
         assert_eq!(render(&prepared, 1, samples, &watch).picture, long, "{step}");
     }
+}
+
+#[test]
+fn passes_end_with_their_blocks() {
+    // One pixel is one tile, and tells its progress once a pass.
+    struct Told(Mutex<Vec<u64>>);
+    impl Watch for Told {
+        fn cancelled(&self) -> bool {
+            false
+        }
+        fn now(&self) -> f64 {
+            0.0
+        }
+        fn progress(&self, done: u64, total: u64) {
+            assert_eq!(total, 4 * BLOCK - 5);
+            self.0.lock().unwrap().push(done);
+        }
+    }
+    let told = Told(Mutex::default());
+    render(&still_life().size(1, 1).prepared(), 0, 4 * BLOCK - 5, &told);
+    let told = told.0.into_inner().unwrap();
+    assert_eq!(told[..2], [1, 5], "short passes first");
+    assert!((1..4).all(|n| told.contains(&(n * BLOCK))), "{told:?}");
+    assert_eq!(*told.last().unwrap(), 4 * BLOCK - 5);
 }
 
 #[test]
