@@ -16,6 +16,9 @@ pub fn near<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Ve
         .collect();
     all.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(b.1)));
     all.dedup_by_key(|(_, candidate)| *candidate);
+    // Beside one that is much nearer the others only distract.
+    let best = all.first().map_or(0.0, |(likeness, _)| *likeness);
+    all.retain(|(likeness, _)| *likeness > best - 0.1);
     all.into_iter().take(3).map(|(_, candidate)| candidate).collect()
 }
 
@@ -38,6 +41,7 @@ mod tests {
         let words = ["fig01", "fig02", "fig03_mtl", "overview"];
         assert_eq!(near("fig3", words)[0], "fig03_mtl");
         assert_eq!(near("FIG02", words)[0], "fig02");
+        assert_eq!(near("overvew", ["overview", "over", "view"]), ["overview"]);
         assert!(near("zebra", words).is_empty());
         assert_eq!(either(&["a", "b", "c"]), "`a`, `b` or `c`");
     }

@@ -26,25 +26,25 @@ pub struct Done<'a> {
 impl Done<'_> {
     /// Writes the files, each whole or not at all.
     pub fn write(
-        &self,
+        self,
         paths: &Paths,
         film: &Film,
         options: &Render,
     ) -> Result<(), (PathBuf, Failure)> {
         let metadata = self.metadata(options);
+        if let Some(path) = &paths.png {
+            let factor = self.stage.scene.film.exposure.0.exp2();
+            files::png::write(path, &self.outcome.picture, factor, &metadata)
+                .map_err(|failure| (path.clone(), failure))?;
+        }
         if let Some(path) = &paths.exr {
             let layers = files::exr::Layers {
                 film: film.size.map(|n| n as usize),
                 origin: [film.window.x0 as usize, film.window.y0 as usize],
-                main: self.outcome.picture.clone(),
+                main: self.outcome.picture,
                 named: Vec::new(),
             };
             files::exr::write(path, &layers, &metadata).map_err(|f| (path.clone(), f))?;
-        }
-        if let Some(path) = &paths.png {
-            let factor = self.stage.scene.film.exposure.0.exp2();
-            files::png::write(path, &self.outcome.picture, factor, &metadata)
-                .map_err(|f| (path.clone(), f))?;
         }
         Ok(())
     }

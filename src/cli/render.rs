@@ -9,6 +9,7 @@ use super::{End, picture, scene_file, stop, terminal};
 use crate::diag::{self, Diagnostic, Level, Sources};
 use crate::load::{Loader, Stage};
 use crate::prepare;
+use crate::render::film::Film;
 use crate::render::tiles::Threads;
 use crate::{files, lang, run};
 
@@ -164,6 +165,7 @@ impl<'a> Session<'a> {
                 return Err(failed(&format!("render `{name}`: {unfit}")));
             }
         }
+        let _writing = stop::writing();
         for path in ready.iter().flat_map(|render| output.paths(&render.name).into_iter()) {
             files::whole::ready(&path)
                 .map_err(|failure| failed(&format!("the picture `{}` {failure}", shown(&path))))?;
@@ -254,27 +256,22 @@ impl<'a> Session<'a> {
                 tiles,
             });
             if tiles.is_none_or(|[done, _]| done > 0) {
-                self.write(&done, &prepared.world.film, output)?;
+                self.write(done, &prepared.world.film, output)?;
             }
             return Err(End::Interrupted);
         }
-        self.write(&done, &prepared.world.film, output)
+        self.write(done, &prepared.world.film, output)
     }
 
-    fn write(
-        &self,
-        done: &picture::Done,
-        film: &crate::render::film::Film,
-        output: &Output,
-    ) -> Result<(), End> {
+    fn write(&self, done: picture::Done, film: &Film, output: &Output) -> Result<(), End> {
         let _writing = stop::writing();
-        let paths = output.paths(done.name);
+        let name = done.name;
+        let paths = output.paths(name);
         done.write(&paths, film, self.options).map_err(|(path, failure)| {
             failed(&format!("the picture `{}` {failure}", shown(&path)))
         })?;
-        for path in paths.into_iter() {
-            let file = shown(&path);
-            self.log.tell(&Event::Written { render: done.name.to_string(), file });
+        for path in paths {
+            self.log.tell(&Event::Written { render: name.to_string(), file: shown(&path) });
         }
         Ok(())
     }

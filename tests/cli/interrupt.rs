@@ -7,13 +7,14 @@ use std::process::{Child, Command, Stdio};
 use crate::bench::{BALL, Bench, word};
 
 fn send(signal: &str, child: &Child) {
+    // Before `wait` the process is at least a name, so the signal always finds it.
     let sent = Command::new("kill").args([signal, &child.id().to_string()]).status().unwrap();
     assert!(sent.success());
 }
 
 /// Renders something that takes far longer than anybody waits, and stops it once the first
 /// samples are there. Returns the events.
-fn stopped(bench: &Bench, signal: &str) -> Vec<serde_json::Value> {
+fn stopped(bench: &Bench, signals: &[&str]) -> Vec<serde_json::Value> {
     bench.put("long.scn", BALL.replace("(32, 24)", "(320, 240)"));
     let mut child = bench
         .command("render long.scn --log json --samples 4000000000")
@@ -26,7 +27,7 @@ fn stopped(bench: &Bench, signal: &str) -> Vec<serde_json::Value> {
     for line in lines.by_ref() {
         events.push(serde_json::from_str(&line.unwrap()).unwrap());
         if events.last().unwrap()["event"] == "progress" {
-            send(signal, &child);
+            signals.iter().for_each(|signal| send(signal, &child));
             break;
         }
     }
@@ -42,7 +43,7 @@ fn stopped(bench: &Bench, signal: &str) -> Vec<serde_json::Value> {
 fn what_is_done_is_written_and_the_rest_is_left() {
     for signal in ["-INT", "-TERM"] {
         let bench = Bench::new();
-        let events = stopped(&bench, signal);
+        let events = stopped(&bench, &[signal]);
         let named = |name: &str| events.iter().filter(|e| e["event"] == name).collect::<Vec<_>>();
         let interrupted = named("interrupted");
         assert_eq!(interrupted.len(), 1, "{events:?}");
@@ -57,5 +58,20 @@ fn what_is_done_is_written_and_the_rest_is_left() {
         let told = |key| word(bench.path("out/long/left.png"), key).unwrap();
         assert_eq!(told("scn:samples"), interrupted[0]["samples"].to_string());
         assert!(told("scn:interrupted").contains(" of "));
+    }
+}
+
+#[test]
+fn a_second_one_ends_at_once_and_leaves_nothing_half_written() {
+    let bench = Bench::new();
+    stopped(&bench, &["-INT", "-INT"]);
+    // Whether the pictures were written before the second one came is a matter of time; if they
+    // were, they are whole.
+    for name in bench.files() {
+        match name.rsplit('.').next() {
+            Some("exr") => drop(scn::files::exr::read(&bench.path(name)).unwrap()),
+            Some("png") => drop(word(bench.path(name), "scn:interrupted").unwrap()),
+            ending => assert_eq!(ending, Some("scn"), "{name}"),
+        }
     }
 }
