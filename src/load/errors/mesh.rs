@@ -92,13 +92,19 @@ pub fn fault(file: &str, fault: &Fault, at: (Span, Span)) -> Diagnostic {
         ),
         What::TooManyWords(most) => (
             Code::MESH_TOO_MUCH,
-            format!("line {line} of `{file}` has more than {most} words"),
+            format!(
+                "line {line} of `{file}` has more than {}",
+                counted(*most as u64, "word", "words")
+            ),
             "too long to read".to_string(),
-            "split the polygon into triangles in the program that made it",
+            "remove the backslashes that join its lines, or split the polygon into triangles",
         ),
         What::TooManyNames(statement, most) => (
             Code::MESH_TOO_MUCH,
-            format!("`{file}` has more than {most} different names after `{statement}`"),
+            format!(
+                "`{file}` has more than {} after `{statement}`",
+                counted(*most as u64, "name", "different names")
+            ),
             "one too many".to_string(),
             "split the mesh into several files",
         ),

@@ -3,17 +3,20 @@
 //! The clean text holds `v`, `vn` and `f` alone, with indices that count from 1, each face
 //! beginning at the corner its fan begins with. Materials stay here: all faces are one model.
 
+mod faces;
+
 use std::collections::HashMap;
-use std::io::{self, BufRead, Read, Write};
+use std::io::{self, BufRead, Read};
 use std::ops::Range;
 
 use glam::DVec3;
 
+use super::Excerpt;
 use super::assemble::Triangles;
-use super::faults::{Fault, Notice, Of, Unread, What};
-use super::{Excerpt, fan};
+use super::faults::{Fault, Notice, Unread, What};
 use crate::files::lines::{self, Line, Lines};
 use crate::math::Progress;
+use faces::Corner;
 
 /// The most faults that are told one by one.
 const TOLD: usize = 20;
@@ -39,13 +42,6 @@ pub(super) struct Found {
     /// Statements of the format, and others.
     pub understood: u64,
     pub unknown: u64,
-}
-
-/// A corner of a face, counted from zero.
-#[derive(Clone, Copy)]
-struct Corner {
-    vertex: usize,
-    normal: Option<usize>,
 }
 
 /// A reader of clean text.
@@ -114,28 +110,6 @@ impl<'a> Scan<'a> {
             self.found.notices.push(Notice { what: Unread::Smoothing, count: 1, place });
         }
         self.found
-    }
-
-    /// Looks for the indices of things that never came. The file is walked again only if there
-    /// are any.
-    fn check_ahead(&mut self) {
-        let counts = self.counts();
-        if (0..3).all(|kind| self.ahead[kind] as u64 <= counts[kind] as u64) {
-            return;
-        }
-        let bytes = self.bytes;
-        let (mut lines, mut words) = (Lines::new(bytes), Vec::new());
-        while let Some(line) = lines.next(&mut words) {
-            if !matches!(&bytes[words[0].clone()], b"f" | b"fo") {
-                continue;
-            }
-            for word in &words[1..] {
-                if let Some((of, index)) = beyond(&bytes[word.clone()], counts) {
-                    let what = What::OutOfRange { of, index, count: counts[of as usize] };
-                    self.fault(what, line, word.clone());
-                }
-            }
-        }
     }
 
     /// How many there are so far, in the order of [`Of::ALL`].
@@ -274,104 +248,6 @@ impl<'a> Scan<'a> {
         numbers
     }
 
-    fn face(&mut self, line: Line, words: &[Range<usize>]) {
-        let mut corners = std::mem::take(&mut self.corners);
-        corners.clear();
-        let before = self.found.faults.len() as u64 + self.found.more;
-        corners.extend(words[1..].iter().filter_map(|word| self.corner(line, word)));
-        let faultless = before == self.found.faults.len() as u64 + self.found.more;
-        let with_normals = corners.iter().filter(|corner| corner.normal.is_some()).count();
-        if words.len() < 4 {
-            self.fault(What::TooFewCorners(words.len() - 1), line, whole(words));
-        } else if faultless && with_normals != 0 && with_normals != corners.len() {
-            self.fault(What::MixedNormals, line, whole(words));
-        } else if faultless {
-            self.clean_face(&corners, line, words);
-        }
-        self.corners = corners;
-    }
-
-    fn clean_face(&mut self, corners: &[Corner], line: Line, words: &[Range<usize>]) {
-        let start = self.fan_start(corners, line, words);
-        self.clean.push(b'f');
-        for i in 0..corners.len() {
-            let corner = corners[(start + i) % corners.len()];
-            // Writing into memory does not fail.
-            let _ = match corner.normal {
-                Some(normal) => write!(self.clean, " {}//{}", corner.vertex + 1, normal + 1),
-                None => write!(self.clean, " {}", corner.vertex + 1),
-            };
-        }
-        self.clean.push(b'\n');
-        let slot = self.slot(line, words);
-        let triangles = &mut self.found.triangles;
-        for _ in 2..corners.len() {
-            triangles.lines.push(line.number as u32);
-            triangles.slots.push(slot);
-            triangles.with_normals.push(corners[0].normal.is_some());
-        }
-    }
-
-    /// The corner to begin with; the first if vertices are yet to come.
-    fn fan_start(&mut self, corners: &[Corner], line: Line, words: &[Range<usize>]) -> usize {
-        if corners.len() == 3 {
-            return 0;
-        }
-        self.fan.clear();
-        self.fan.extend(corners.iter().filter_map(|c| self.positions.get(c.vertex)));
-        if self.fan.len() < corners.len() {
-            return 0;
-        }
-        match fan::start(&self.fan) {
-            Some(start) => start,
-            None => {
-                self.notice(Unread::Concave, line, words);
-                0
-            }
-        }
-    }
-
-    fn corner(&mut self, line: Line, word: &Range<usize>) -> Option<Corner> {
-        let mut indices = [None; 3];
-        for (i, part) in self.bytes[word.clone()].split(|byte| *byte == b'/').enumerate() {
-            let text = std::str::from_utf8(part).unwrap_or("?");
-            let index = text.parse::<i64>();
-            match (indices.get_mut(i), index) {
-                (Some(place), Ok(index)) => {
-                    *place = Some(self.resolve(Of::ALL[i], index, line, word)?);
-                }
-                (Some(_), Err(_)) if part.is_empty() && i > 0 => {}
-                _ => {
-                    let what = What::NotAnIndex(lines::shown(self.bytes, word));
-                    self.fault(what, line, word.clone());
-                    return None;
-                }
-            }
-        }
-        Some(Corner { vertex: indices[0]?, normal: indices[2] })
-    }
-
-    /// An index counted from zero. Those of things to come are looked at in the end.
-    fn resolve(&mut self, of: Of, index: i64, line: Line, word: &Range<usize>) -> Option<usize> {
-        let count = self.counts()[of as usize];
-        if index == 0 {
-            self.fault(What::ZeroIndex(of), line, word.clone());
-            return None;
-        }
-        if index > 0 {
-            if index as u64 > count as u64 {
-                let ahead = &mut self.ahead[of as usize];
-                *ahead = index.max(*ahead);
-            }
-            return Some((index - 1) as usize);
-        }
-        let resolved = (count as i64).checked_add(index).filter(|resolved| *resolved >= 0);
-        if resolved.is_none() {
-            self.fault(What::OutOfRange { of, index, count }, line, word.clone());
-        }
-        resolved.map(|resolved| resolved as usize)
-    }
-
     fn material(&mut self, line: Line, words: &[Range<usize>]) {
         let name = lines::name(self.bytes, line, words);
         if name.is_empty() {
@@ -439,15 +315,6 @@ impl<'a> Scan<'a> {
             }
         }
     }
-}
-
-/// The first index of a well-formed corner that is above its count.
-fn beyond(corner: &[u8], counts: [usize; 3]) -> Option<(Of, i64)> {
-    let parts = || corner.split(|byte| *byte == b'/');
-    let index = |part| std::str::from_utf8(part).ok()?.parse::<i64>().ok();
-    let mut indices = parts().zip(Of::ALL).filter_map(|(part, of)| Some((of, index(part)?)));
-    let beyond = indices.find(|(of, index)| *index > counts[*of as usize] as i64);
-    beyond.filter(|_| parts().count() <= 3)
 }
 
 /// From the first word to the last.
