@@ -11,6 +11,7 @@ mod functions;
 mod import;
 mod limits;
 mod lower;
+mod names;
 mod order;
 mod parse;
 mod report;

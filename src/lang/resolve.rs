@@ -1,15 +1,16 @@
 //! Items → scopes: lets get their names, loops are run, and what is said stands in the setup or
 //! render that says it.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::ast::{Expr, ExprKind, For, Item, Let, Name, Piece, Word};
+use super::ast::{Expr, ExprKind, For, Item, Name, Piece, Word};
 use super::errors::{name as names, render, syntax, types};
 use super::eval::Evaluator;
 use super::import::Unit;
-use super::value::{Binding, Bound, Env, Value, ValueKind};
+use super::names::{body, file_names};
+use super::value::{Bound, Env, ValueKind};
 use super::{limits, order};
 use crate::diag::Span;
 use crate::scene::schema::Kind;
@@ -141,42 +142,6 @@ pub fn sets(ev: &Evaluator, plan: &mut Plan, sets: Vec<super::ast::Set>) -> Vec<
     actions
 }
 
-/// The names each file may use: its own lets, and those of the files it uses.
-fn file_names(ev: &Evaluator, units: &[Unit]) -> Vec<Env> {
-    let envs: Vec<Env> = units.iter().map(|_| ev.frame(None)).collect();
-    let all: Vec<(usize, &Arc<Let>)> = units
-        .iter()
-        .enumerate()
-        .flat_map(|(i, unit)| {
-            unit.tree.items.iter().filter_map(move |item| match item {
-                Item::Let(definition) => Some((i, definition)),
-                _ => None,
-            })
-        })
-        .collect();
-    let everything = ev.frame(None);
-    let lets: Vec<_> = all.iter().map(|(_, definition)| (*definition).clone()).collect();
-    let broken = tell_circles(ev, &lets);
-    for (i, definition) in &all {
-        let what = || bound(definition, &envs[*i], &broken);
-        ev.define(&everything, &definition.name, what());
-        let taken = everything.find(&definition.name.text);
-        if taken.is_none_or(|binding| binding.name.span != definition.name.span) {
-            continue;
-        }
-        let binding = Rc::new(Binding { name: definition.name.clone(), what: what() });
-        for (unit, env) in units.iter().zip(&envs) {
-            if unit.reach.contains(i) {
-                env.0.names.borrow_mut().insert(definition.name.text.clone(), binding.clone());
-            }
-        }
-    }
-    for (i, definition) in &all {
-        params(ev, definition, &envs[*i]);
-    }
-    envs
-}
-
 /// An item on a path: its kind and name are found, or told.
 fn action(
     ev: &Evaluator,
@@ -217,96 +182,6 @@ fn action(
         }
         (Some(found), Some(name)) => Some(build(found, name)),
         (Some(found), None) => Some(build(found, Word { text: Arc::from(""), span: kind.span })),
-    }
-}
-
-fn bound(definition: &Arc<Let>, env: &Env, broken: &HashSet<Span>) -> Bound {
-    match broken.contains(&definition.name.span) {
-        true => Bound::Broken,
-        false => Bound::Let(definition.clone(), env.clone(), Default::default()),
-    }
-}
-
-/// Parameters may not be called like anything visible.
-fn params(ev: &Evaluator, definition: &Let, env: &Env) {
-    let inner = ev.frame(Some(env));
-    for param in definition.params.iter().flatten() {
-        ev.define(&inner, param, Bound::Value(Value::broken(param.span)));
-    }
-}
-
-/// Tells lets that depend on themselves; gives the places of their names.
-fn tell_circles(ev: &Evaluator, lets: &[Arc<Let>]) -> HashSet<Span> {
-    let index: HashMap<&str, usize> =
-        lets.iter().enumerate().map(|(i, definition)| (&*definition.name.text, i)).collect();
-    let needs = |definition: &Arc<Let>| {
-        let mut words = Vec::new();
-        mentioned(&definition.value, &mut words);
-        let params = definition.params.iter().flatten();
-        let params: HashSet<&str> = params.map(|param| &*param.text).collect();
-        let mut needs: Vec<_> = words
-            .into_iter()
-            .filter(|word| !params.contains(word))
-            .filter_map(|word| index.get(word).copied())
-            .collect();
-        needs.sort_unstable();
-        needs.dedup();
-        needs
-    };
-    let wants: Vec<_> = lets.iter().map(needs).collect();
-    let mut broken = HashSet::new();
-    for circle in order::circles(&wants) {
-        let words: Vec<_> = circle.iter().map(|i| lets[*i].name.clone()).collect();
-        ev.reports.tell(names::circle(&words));
-        broken.extend(words.iter().map(|word| word.span));
-    }
-    broken
-}
-
-/// The words an expression may look up.
-fn mentioned<'e>(expr: &'e Expr, found: &mut Vec<&'e str>) {
-    let mut records = Vec::new();
-    match &expr.kind {
-        ExprKind::Number { .. } | ExprKind::Broken => {}
-        ExprKind::Text(pieces) => pieces.iter().for_each(|piece| {
-            if let Piece::Value(expr) = piece {
-                mentioned(expr, found);
-            }
-        }),
-        ExprKind::Vector(all) | ExprKind::List(all) => {
-            all.iter().for_each(|expr| mentioned(expr, found));
-        }
-        ExprKind::Call { function, arguments } => {
-            if let [word] = function.as_slice() {
-                found.push(&word.text);
-            }
-            arguments.iter().for_each(|expr| mentioned(expr, found));
-        }
-        ExprKind::Record(record) => records.push(&**record),
-        ExprKind::Name(path) => {
-            if let [word] = path.as_slice() {
-                found.push(&word.text);
-            }
-        }
-        ExprKind::Negated(inner) | ExprKind::Power(inner, _) => mentioned(inner, found),
-        ExprKind::Chain { first, rest } => {
-            mentioned(first, found);
-            rest.iter().for_each(|(_, _, expr)| mentioned(expr, found));
-        }
-        ExprKind::With { base, changes } => {
-            mentioned(base, found);
-            records.extend(changes.iter());
-        }
-        ExprKind::Range { from, to, step } => {
-            mentioned(from, found);
-            mentioned(to, found);
-            if let Some(step) = step {
-                mentioned(step, found);
-            }
-        }
-    }
-    for entry in records.into_iter().flat_map(|record| &record.entries) {
-        mentioned(&entry.value, found);
     }
 }
 
@@ -424,27 +299,6 @@ impl Planner<'_> {
         self.ev.reports.tell(syntax::misplaced(what, "inside braces", help, span));
     }
 
-    /// Names of a body's own lets, inside `env`.
-    fn lets(&self, items: &[Item], env: &Env) -> Env {
-        let lets: Vec<_> = items
-            .iter()
-            .filter_map(|item| match item {
-                Item::Let(definition) => Some(definition.clone()),
-                _ => None,
-            })
-            .collect();
-        if lets.is_empty() {
-            return env.clone();
-        }
-        let inner = self.ev.frame(Some(env));
-        let broken = tell_circles(self.ev, &lets);
-        for definition in &lets {
-            self.ev.define(&inner, &definition.name, bound(definition, &inner, &broken));
-        }
-        lets.iter().for_each(|definition| params(self.ev, definition, &inner));
-        inner
-    }
-
     fn each(&mut self, each: &For, env: &Env, scope: usize, place: Place) {
         let head = self.ev.eval(&each.head, env);
         let all = match &head.kind {
@@ -462,7 +316,7 @@ impl Planner<'_> {
             }
             let inner = self.ev.frame(Some(env));
             self.ev.define(&inner, &each.variable, Bound::Value(value.clone()));
-            let inner = self.lets(&each.body, &inner);
+            let inner = body(self.ev, &each.body, &inner);
             self.items(&each.body, &inner, scope, place);
         }
     }
@@ -471,7 +325,7 @@ impl Planner<'_> {
         let label = format!("setup `{}`", setup.name.text);
         let scope = self.scope(label, setup.name.span, (&setup.bases, Some(env)));
         self.register(&setup.name, scope);
-        let env = self.lets(&setup.body, env);
+        let env = body(self.ev, &setup.body, env);
         self.items(&setup.body, &env, scope, Place::Body);
     }
 
@@ -498,7 +352,7 @@ impl Planner<'_> {
         let scope = self.scope(label, name.span, (&said.bases, Some(env)));
         self.register(&name, scope);
         self.plan.renders.push((At::new(text.to_string(), name.span), scope));
-        let env = self.lets(&said.body, env);
+        let env = body(self.ev, &said.body, env);
         self.items(&said.body, &env, scope, Place::Body);
     }
 

@@ -8,6 +8,7 @@ use crate::scene::KINDS;
 
 /// "did you mean `a`?" with a mend for each, or the list of all when they are few.
 fn offer(told: Diagnostic, found: &str, span: Span, all: &[&str], what: &str) -> Diagnostic {
+    let what = what.trim_end_matches(" are");
     let near = nearest(found, all.iter().copied());
     let mut told = match (near.is_empty(), all.len()) {
         (false, _) => told.help(format!("did you mean {}?", listed(near.iter().copied(), "or"))),
@@ -16,7 +17,7 @@ fn offer(told: Diagnostic, found: &str, span: Span, all: &[&str], what: &str) ->
             let mut words: Vec<_> = all.iter().copied().take(12).collect();
             words.sort_unstable();
             let rest = if all.len() > 12 { ", and others" } else { "" };
-            told.help(format!("{what} {}{rest}", listed(words, "and")))
+            told.help(format!("{what}: {}{rest}", listed(words, "and")))
         }
     };
     for word in near {
@@ -25,7 +26,7 @@ fn offer(told: Diagnostic, found: &str, span: Span, all: &[&str], what: &str) ->
     if all.len() > 1 && all.len() <= 12 && told.why.is_none() && !told.mends.is_empty() {
         let mut words = all.to_vec();
         words.sort_unstable();
-        told = told.why(format!("{} {}.", capital(what), listed(words, "and")));
+        told = told.why(format!("{}: {}.", capital(what), listed(words, "and")));
     }
     told
 }
@@ -260,6 +261,9 @@ pub fn unknown_target(
     let headline = format!("there is no {kind} called `{name}` to {verb}");
     let told = Diagnostic::error(Code::NAME_UNKNOWN_DECLARATION, headline)
         .label(span, format!("nothing before this states {kind} `{name}`"));
+    if declared.contains(&name) {
+        return told.help(format!("it was removed before: state it anew by `{kind} {name}: …`"));
+    }
     match declared {
         [] => told.help(format!("state it first: `{kind} {name}: …`")),
         _ => offer(told, name, span, declared, &format!("the {kind}s stated are")),
@@ -310,11 +314,17 @@ pub fn circle(words: &[Word]) -> Diagnostic {
 }
 
 /// A declaration that names itself.
-pub fn itself(kind: &str, word: &Word) -> Diagnostic {
+pub fn itself(kind: &str, word: &Word, variant: bool) -> Diagnostic {
     let name = &word.text;
-    Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, format!("{kind} `{name}` is made of itself"))
+    let told = Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, format!("{kind} `{name}` is made of itself"))
         .label(word.span, format!("the {kind} called `{name}`, not the word of the language"))
-        .why("A bare word means a declaration first; before a brace it is always a word of the language.")
-        .help(format!("write `{name} {{}}`"))
-        .mend(format!("write `{name} {{}}`"), word.span, format!("{name} {{}}"))
+        .why("A bare word means a declaration first; before a brace it is always a word of the language.");
+    match variant {
+        true => told.help(format!("write `{name} {{}}`")).mend(
+            format!("write `{name} {{}}`"),
+            word.span,
+            format!("{name} {{}}"),
+        ),
+        false => told.help(format!("state what the {kind} is")),
+    }
 }

@@ -3,6 +3,7 @@
 mod build;
 mod explain;
 mod strings;
+mod values;
 
 use std::sync::Arc;
 

@@ -1,24 +1,24 @@
 //! Values land on types: the one place where words, records and quantities get their meaning.
 
+mod choices;
+mod quantities;
+
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use glam::DVec3;
-
 use super::ast::Word;
 use super::errors::{name as names, types};
 use super::eval::Evaluator;
-use super::value::{FieldValue, RecordValue, Value, ValueKind, shown};
+use super::value::{FieldValue, RecordValue, Value, ValueKind};
 use super::{arithmetic, defaults, limits};
 use crate::diag::{FileId, Span};
 use crate::math::Spectrum;
 use crate::math::units::Dimension;
 use crate::scene::schema::{self, Checked, Range, Type, Variants};
-use crate::scene::{At, FileName, KINDS};
-
-/// Largest count that an f64 holds exactly.
-const COUNT_MAX: f64 = 9_007_199_254_740_992.0;
+use crate::scene::{At, FileName};
+pub use quantities::{coordinates, direction, number, point};
+use quantities::{count, in_range};
 
 /// The declarations of a render before they are checked: kind and name → value.
 pub type Declared = BTreeMap<(&'static str, Arc<str>), (Word, Value)>;
@@ -265,197 +265,12 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn one_of(&self, value: &Value, variants: &'static Variants, place: &str) -> Option<Checked> {
-        let ev = self.ev;
-        let kind = KINDS.iter().find(|kind| kind.named && is_type(&kind.ty, variants));
-        match &value.kind {
-            ValueKind::Word(word) => {
-                if let Some(found) = kind.and_then(|kind| self.alias(kind, word)) {
-                    return found.and_then(|value| self.aliased(kind?, word, &value, place));
-                }
-                let Some(which) = position(variants, &word.text) else {
-                    self.unknown_variant(word, variants, kind.map(|kind| kind.word), place);
-                    return None;
-                };
-                let none = RecordValue {
-                    word: Some(word.clone()),
-                    base: None,
-                    fields: Vec::new(),
-                    braces: value.span,
-                    partial: false,
-                };
-                let fields = self.fields(&none, &variants.all[which], value.span, place)?;
-                Some(Checked::Variant(which, fields))
-            }
-            ValueKind::Text { text, .. } if kind.is_some() => {
-                let word = Word { text: (**text).into(), span: value.span };
-                let Some(found) = kind.and_then(|kind| self.alias(kind, &word)) else {
-                    self.unknown_variant(&word, variants, kind.map(|kind| kind.word), place);
-                    return None;
-                };
-                found.and_then(|value| self.aliased(kind?, &word, &value, place))
-            }
-            ValueKind::Record(record) => {
-                let record = match &record.base {
-                    Some(base) => &*self.based(base, record, kind)?,
-                    None => record,
-                };
-                let Some(word) = &record.word else {
-                    let all: Vec<_> = variants.all.iter().map(|r| r.word).collect();
-                    ev.reports.tell(names::which_variant(
-                        place,
-                        variants.name,
-                        &all,
-                        record.braces,
-                    ));
-                    return None;
-                };
-                let Some(which) = position(variants, &word.text) else {
-                    self.unknown_variant(word, variants, None, place);
-                    return None;
-                };
-                let fields = self.fields(record, &variants.all[which], value.span, place)?;
-                Some(Checked::Variant(which, fields))
-            }
-            _ => {
-                let expected = super::errors::with_article(variants.name);
-                let found = value.described();
-                ev.reports.tell(types::mismatch(
-                    &format!("`{place}`"),
-                    &expected,
-                    &found,
-                    value.span,
-                ));
-                None
-            }
-        }
-    }
-
-    /// The value of the declaration a word names, if it names one; Some(None): itself, told.
-    fn alias(&self, kind: &schema::Kind, word: &Word) -> Option<Option<Value>> {
-        let (_, value) = self.declared.get(&(kind.word, word.text.clone()))?;
-        if self.open.borrow().iter().any(|(k, n)| *k == kind.word && *n == word.text) {
-            self.ev.reports.tell(names::itself(kind.word, word));
-            return Some(None);
-        }
-        Some(Some(value.clone()))
-    }
-
-    fn aliased(
-        &self,
-        kind: &schema::Kind,
-        word: &Word,
-        value: &Value,
-        place: &str,
-    ) -> Option<Checked> {
-        self.open.borrow_mut().push((kind.word, word.text.clone()));
-        let checked = self.check(value, &kind.ty, &Range::ANY, place);
-        self.open.borrow_mut().pop();
-        checked
-    }
-
-    /// `word with { … }`: the fields of what the word names, changed.
-    fn based(
-        &self,
-        base: &Word,
-        record: &RecordValue,
-        kind: Option<&schema::Kind>,
-    ) -> Option<std::rc::Rc<RecordValue>> {
-        let mut merged = match kind.and_then(|kind| self.alias(kind, base)) {
-            Some(found) => match found?.kind {
-                ValueKind::Record(found) => (*found).clone(),
-                ValueKind::Word(word) => plain(word, record.braces),
-                _ => return None,
-            },
-            None => plain(base.clone(), record.braces),
-        };
-        for field in &record.fields {
-            merged.fields.retain(|other| other.key.text != field.key.text);
-            merged.fields.push(field.clone());
-        }
-        Some(std::rc::Rc::new(merged))
-    }
-
-    fn unknown_variant(
-        &self,
-        word: &Word,
-        variants: &Variants,
-        kind: Option<&'static str>,
-        place: &str,
-    ) {
-        let all: Vec<_> = variants.all.iter().map(|record| record.word).collect();
-        let declared: Vec<_> = match kind {
-            Some(kind) => self.names_of(kind),
-            None => Vec::new(),
-        };
-        if kind.is_some() && self.lenient(word.span) {
-            return;
-        }
-        let told = names::unknown_variant(place, variants.name, word, &all, &declared);
-        self.ev.reports.tell_unknown(&word.text, told);
-    }
-
     fn lenient(&self, span: Span) -> bool {
         self.lenient_beyond.is_some_and(|main| span.file != main)
     }
 
     fn names_of(&self, kind: &'static str) -> Vec<&str> {
         self.declared.keys().filter(|(k, _)| *k == kind).map(|(_, name)| &**name).collect()
-    }
-
-    fn reference(
-        &self,
-        value: &Value,
-        kind: &'static str,
-        target: &'static Type,
-        place: &str,
-    ) -> Option<Checked> {
-        let ev = self.ev;
-        let name = match &value.kind {
-            ValueKind::Word(word) => Some(word.clone()),
-            ValueKind::Text { text, .. } => Some(Word { text: (**text).into(), span: value.span }),
-            _ => None,
-        };
-        let variants = match target {
-            Type::OneOf(variants) => Some(*variants),
-            _ => None,
-        };
-        if let Some(word) = &name {
-            if self.declared.contains_key(&(kind, word.text.clone())) {
-                return Some(Checked::Reference(word.text.to_string()));
-            }
-            let is_text = matches!(value.kind, ValueKind::Text { .. });
-            let variant = variants.and_then(|v| position(v, &word.text)).filter(|_| !is_text);
-            if variant.is_none() {
-                if !self.lenient(word.span) {
-                    let words: Vec<_> =
-                        variants.iter().flat_map(|v| v.all).map(|record| record.word).collect();
-                    let declared = self.names_of(kind);
-                    let place = format!("`{place}`");
-                    let told = names::unknown_declaration(&place, kind, word, &declared, &words);
-                    ev.reports.tell_unknown(&word.text, told);
-                }
-                return None;
-            }
-        } else if !matches!(value.kind, ValueKind::Record(_)) {
-            let expected = format!("the name of a {kind}, or a {kind}");
-            let found = value.described();
-            ev.reports.tell(types::mismatch(&format!("`{place}`"), &expected, &found, value.span));
-            return None;
-        }
-        let checked = self.check(value, target, &Range::ANY, place)?;
-        let mut name = place.to_string();
-        let taken = |name: &str| {
-            let hoisted = self.hoisted.borrow();
-            self.declared.contains_key(&(kind, name.into()))
-                || hoisted.iter().any(|(k, n, _)| *k == kind && n.value == name)
-        };
-        while taken(&name) {
-            name.push('\'');
-        }
-        let item = (kind, At::new(name.clone(), value.span), At::new(checked, value.span));
-        self.hoisted.borrow_mut().push(item);
-        Some(Checked::Reference(name))
     }
 
     fn map(&self, found: &RecordValue, element: &'static Type, place: &str) -> Option<Checked> {
@@ -603,169 +418,7 @@ pub fn default_value(ev: &Evaluator, text: &'static str) -> Value {
     ev.eval(&defaults::expr(text), &ev.frame(None))
 }
 
-fn plain(word: Word, braces: Span) -> RecordValue {
-    RecordValue { word: Some(word), base: None, fields: Vec::new(), braces, partial: false }
-}
-
 /// Which variant a word is.
 pub fn position(variants: &Variants, word: &str) -> Option<usize> {
     variants.all.iter().position(|record| record.word == word)
-}
-
-fn is_type(ty: &Type, variants: &'static Variants) -> bool {
-    matches!(ty, Type::OneOf(other) if other.name == variants.name)
-}
-
-/// A number of a dimension, in base units.
-pub fn number(ev: &Evaluator, value: &Value, dimension: Dimension, what: &str) -> Option<f64> {
-    let quantity = arithmetic::quantity(ev, value);
-    match quantity.kind {
-        ValueKind::Number { value: x, dimension: found, .. } if found == dimension => Some(x),
-        ValueKind::Number { value: x, dimension: Dimension::NONE, unit: None } => {
-            ev.reports.tell(types::missing_unit(what, dimension, x, value.span));
-            None
-        }
-        ValueKind::Number { dimension: found, .. } => {
-            ev.reports.tell(types::dimension(what, &dimension.name(), &found.name(), value.span));
-            None
-        }
-        ValueKind::Broken => None,
-        _ => {
-            let found = quantity.described();
-            ev.reports.tell(types::mismatch(what, &dimension.name(), &found, value.span));
-            None
-        }
-    }
-}
-
-fn count(ev: &Evaluator, value: &Value, what: &str) -> Option<f64> {
-    let n = number(ev, value, Dimension::NONE, what)?;
-    if n.fract() != 0.0 || !(0.0..=COUNT_MAX).contains(&n) {
-        ev.reports.tell(types::not_whole(what, n, value.span));
-        return None;
-    }
-    Some(n)
-}
-
-fn in_range(
-    ev: &Evaluator,
-    value: &Value,
-    x: f64,
-    range: &Range,
-    dimension: Dimension,
-    what: &str,
-) -> Option<()> {
-    if range.holds(x) {
-        return Some(());
-    }
-    let unit = match value.kind {
-        ValueKind::Number { unit, .. } => unit,
-        _ => None,
-    };
-    let show = |x: f64| shown(x, dimension, unit);
-    ev.reports.tell(types::out_of_range(what, &show(x), range, &show, value.span));
-    None
-}
-
-/// A point in metres.
-pub fn point(ev: &Evaluator, value: &Value, what: &str) -> Option<DVec3> {
-    match &value.kind {
-        ValueKind::Vector { components, file } => {
-            coordinates(ev, components, value.span, *file, what)
-        }
-        ValueKind::Broken => None,
-        _ => {
-            let found = value.described();
-            ev.reports.tell(types::mismatch(
-                what,
-                "a point such as `(0, 1, 2)`",
-                &found,
-                value.span,
-            ));
-            None
-        }
-    }
-}
-
-/// Three coordinates in metres; bare ones are in the unit of `file`.
-pub fn coordinates(
-    ev: &Evaluator,
-    components: &[Value],
-    span: Span,
-    file: FileId,
-    what: &str,
-) -> Option<DVec3> {
-    if components.len() != 3 {
-        ev.reports.tell(types::three_coordinates(
-            what,
-            components.len(),
-            computed(components),
-            span,
-        ));
-        return None;
-    }
-    let mut metres = [0.0; 3];
-    for (slot, component) in metres.iter_mut().zip(components) {
-        let quantity = arithmetic::quantity(ev, component);
-        *slot = match quantity.kind {
-            ValueKind::Number { value, dimension: Dimension::NONE, .. } => {
-                value * ev.unit(file, component.span)?
-            }
-            ValueKind::Broken => return None,
-            _ => number(ev, &quantity, Dimension::LENGTH, &format!("a coordinate of {what}"))?,
-        };
-    }
-    Some(DVec3::from_array(metres))
-}
-
-/// A direction of unit length.
-pub fn direction(ev: &Evaluator, value: &Value, what: &str) -> Option<DVec3> {
-    let quantity = match &value.kind {
-        ValueKind::Word(word) => arithmetic::known(&word.text, value.span),
-        _ => None,
-    };
-    let quantity = quantity.as_ref().unwrap_or(value);
-    let ValueKind::Vector { components, .. } = &quantity.kind else {
-        if !quantity.is_broken() {
-            let expected = "a direction: `x`, `-y` or a vector";
-            ev.reports.tell(types::mismatch(what, expected, &value.described(), value.span));
-        }
-        return None;
-    };
-    if components.len() != 3 {
-        ev.reports.tell(types::three_coordinates(
-            what,
-            components.len(),
-            computed(components),
-            value.span,
-        ));
-        return None;
-    }
-    let lengths = components.iter().any(|c| match c.kind {
-        ValueKind::Number { dimension, .. } => dimension == Dimension::LENGTH,
-        _ => false,
-    });
-    let dimension = if lengths { Dimension::LENGTH } else { Dimension::NONE };
-    let mut found = [0.0; 3];
-    for (slot, component) in found.iter_mut().zip(components.iter()) {
-        *slot = number(ev, component, dimension, &format!("a component of {what}"))?;
-    }
-    // Scaled first: squares of very large or small components would leave the range of f64.
-    let largest = found.iter().fold(0.0_f64, |so_far, c| so_far.max(c.abs()));
-    if largest == 0.0 {
-        ev.reports.tell(types::zero_direction(what, value.span));
-        return None;
-    }
-    Some((DVec3::from_array(found) / largest).normalize())
-}
-
-/// Whether a component covers more text than a number alone does, blanks and a sign included.
-fn computed(components: &[Value]) -> bool {
-    components.iter().any(|component| match component.kind {
-        ValueKind::Number { value, .. } => {
-            let length = (component.span.end - component.span.start) as usize;
-            length > format!("{value}").len() + 2
-        }
-        _ => false,
-    })
 }

@@ -1,0 +1,170 @@
+//! Numbers, points and directions, with their units.
+
+use glam::DVec3;
+
+use crate::diag::{FileId, Span};
+use crate::lang::arithmetic;
+use crate::lang::errors::types;
+use crate::lang::eval::Evaluator;
+use crate::lang::value::{Value, ValueKind, shown};
+use crate::math::units::Dimension;
+use crate::scene::schema::Range;
+
+/// Largest count that an f64 holds exactly.
+const COUNT_MAX: f64 = 9_007_199_254_740_992.0;
+
+/// A number of a dimension, in base units.
+pub fn number(ev: &Evaluator, value: &Value, dimension: Dimension, what: &str) -> Option<f64> {
+    let quantity = arithmetic::quantity(ev, value);
+    match quantity.kind {
+        ValueKind::Number { value: x, dimension: found, .. } if found == dimension => Some(x),
+        ValueKind::Number { value: x, dimension: Dimension::NONE, unit: None } => {
+            ev.reports.tell(types::missing_unit(what, dimension, x, value.span));
+            None
+        }
+        ValueKind::Number { dimension: found, .. } => {
+            ev.reports.tell(types::dimension(what, &dimension.name(), &found.name(), value.span));
+            None
+        }
+        ValueKind::Broken => None,
+        _ => {
+            let found = quantity.described();
+            ev.reports.tell(types::mismatch(what, &dimension.name(), &found, value.span));
+            None
+        }
+    }
+}
+
+/// A count.
+pub fn count(ev: &Evaluator, value: &Value, what: &str) -> Option<f64> {
+    let n = number(ev, value, Dimension::NONE, what)?;
+    if n.fract() != 0.0 || !(0.0..=COUNT_MAX).contains(&n) {
+        ev.reports.tell(types::not_whole(what, n, value.span));
+        return None;
+    }
+    Some(n)
+}
+
+/// Tells a number beyond the bounds of its field.
+pub fn in_range(
+    ev: &Evaluator,
+    value: &Value,
+    x: f64,
+    range: &Range,
+    dimension: Dimension,
+    what: &str,
+) -> Option<()> {
+    if range.holds(x) {
+        return Some(());
+    }
+    let unit = match value.kind {
+        ValueKind::Number { unit, .. } => unit,
+        _ => None,
+    };
+    let show = |x: f64| shown(x, dimension, unit);
+    ev.reports.tell(types::out_of_range(what, &show(x), range, &show, value.span));
+    None
+}
+
+/// A point in metres.
+pub fn point(ev: &Evaluator, value: &Value, what: &str) -> Option<DVec3> {
+    match &value.kind {
+        ValueKind::Vector { components, file } => {
+            coordinates(ev, components, value.span, *file, what)
+        }
+        ValueKind::Broken => None,
+        _ => {
+            let found = value.described();
+            ev.reports.tell(types::mismatch(
+                what,
+                "a point such as `(0, 1, 2)`",
+                &found,
+                value.span,
+            ));
+            None
+        }
+    }
+}
+
+/// Three coordinates in metres; bare ones are in the unit of `file`.
+pub fn coordinates(
+    ev: &Evaluator,
+    components: &[Value],
+    span: Span,
+    file: FileId,
+    what: &str,
+) -> Option<DVec3> {
+    if components.len() != 3 {
+        ev.reports.tell(types::three_coordinates(
+            what,
+            components.len(),
+            computed(components),
+            span,
+        ));
+        return None;
+    }
+    let mut metres = [0.0; 3];
+    for (slot, component) in metres.iter_mut().zip(components) {
+        let quantity = arithmetic::quantity(ev, component);
+        *slot = match quantity.kind {
+            ValueKind::Number { value, dimension: Dimension::NONE, .. } => {
+                value * ev.unit(file, component.span)?
+            }
+            ValueKind::Broken => return None,
+            _ => number(ev, &quantity, Dimension::LENGTH, &format!("a coordinate of {what}"))?,
+        };
+    }
+    Some(DVec3::from_array(metres))
+}
+
+/// A direction of unit length.
+pub fn direction(ev: &Evaluator, value: &Value, what: &str) -> Option<DVec3> {
+    let quantity = match &value.kind {
+        ValueKind::Word(word) => arithmetic::known(&word.text, value.span),
+        _ => None,
+    };
+    let quantity = quantity.as_ref().unwrap_or(value);
+    let ValueKind::Vector { components, .. } = &quantity.kind else {
+        if !quantity.is_broken() {
+            let expected = "a direction: `x`, `-y` or a vector";
+            ev.reports.tell(types::mismatch(what, expected, &value.described(), value.span));
+        }
+        return None;
+    };
+    if components.len() != 3 {
+        ev.reports.tell(types::three_coordinates(
+            what,
+            components.len(),
+            computed(components),
+            value.span,
+        ));
+        return None;
+    }
+    let lengths = components.iter().any(|c| match c.kind {
+        ValueKind::Number { dimension, .. } => dimension == Dimension::LENGTH,
+        _ => false,
+    });
+    let dimension = if lengths { Dimension::LENGTH } else { Dimension::NONE };
+    let mut found = [0.0; 3];
+    for (slot, component) in found.iter_mut().zip(components.iter()) {
+        *slot = number(ev, component, dimension, &format!("a component of {what}"))?;
+    }
+    // Scaled first: squares of very large or small components would leave the range of f64.
+    let largest = found.iter().fold(0.0_f64, |so_far, c| so_far.max(c.abs()));
+    if largest == 0.0 {
+        ev.reports.tell(types::zero_direction(what, value.span));
+        return None;
+    }
+    Some((DVec3::from_array(found) / largest).normalize())
+}
+
+/// Whether a component covers more text than a number alone does, blanks and a sign included.
+fn computed(components: &[Value]) -> bool {
+    components.iter().any(|component| match component.kind {
+        ValueKind::Number { value, .. } => {
+            let length = (component.span.end - component.span.start) as usize;
+            length > format!("{value}").len() + 2
+        }
+        _ => false,
+    })
+}
