@@ -14,9 +14,18 @@ pub fn looks_nowhere(eye: Span, look_at: Span) -> Diagnostic {
 
 /// A camera that looks along its own up.
 pub fn looks_along_up(up: Span, look: Span) -> Diagnostic {
-    Diagnostic::error(Code::SCENE_CAMERA_LOOKS_ALONG_UP, "the camera looks along its own `up`")
-        .label(up, "up in the picture …")
-        .label(look, "… is the direction the camera looks in, or its opposite")
+    let fault =
+        Diagnostic::error(Code::SCENE_CAMERA_LOOKS_ALONG_UP, "the camera looks along its own `up`");
+    // A default's place is the record that left it out.
+    let by_default = up.file == look.file && up.start <= look.start && look.end <= up.end;
+    let fault = if by_default {
+        fault.label(look, "seen from `eye`, this is along `y`, the default of `up`")
+    } else {
+        fault
+            .label(up, "up in the picture …")
+            .label(look, "… is the direction the camera looks in, or its opposite")
+    };
+    fault
         .why("`up` says how the camera is turned about the direction of view; along it, it says nothing.")
         .help("choose an `up` across the direction of view: `z` or `x` for a camera that looks down or up the y axis")
 }
@@ -26,13 +35,13 @@ pub fn too_far_away(eye: Span, radii: f64) -> Diagnostic {
     Diagnostic::error(Code::SCENE_CAMERA_TOO_FAR, "the camera is too far away to aim at the scene")
         .label(eye, format!("more than {radii:e} radii of the scene away"))
         .why("Over such a distance the rounding of directions is as large as what is looked at.")
-        .help("check the unit of these coordinates, or bring the camera closer and narrow its field of view")
+        .help("check the unit of these coordinates, or bring the camera closer and widen its field of view")
 }
 
 /// An overview of nothing.
 pub fn nothing_to_see(camera: Span) -> Diagnostic {
     Diagnostic::error(Code::SCENE_NOTHING_TO_SEE, "the camera `overview` has nothing to look at")
-        .label(camera, "stands so far from the scene that it sees all of it")
+        .label(camera, "its camera is to stand where it sees all of the scene")
         .why("It is placed by the box around all bounded objects; there are none, and planes without end have no box.")
         .help("add an object, or place a camera yourself: `camera: perspective { eye: …, look_at: …, fov_y: … }`")
 }
@@ -122,7 +131,7 @@ pub fn endless_lamp(name: &At<String>) -> Diagnostic {
     Diagnostic::error(Code::SCENE_ENDLESS_LAMP, headline)
         .label(name.span, "a lamp of endless area")
         .why("`direct` chooses points of a lamp evenly over its area; over an endless one it can not.")
-        .help("use a large `quad` or `disk`, or a `light` of kind `constant` for light from all around")
+        .help("use a `quad` or a `disk` as large as it has to be")
 }
 
 /// Triangles that single precision can not tell from lines.
