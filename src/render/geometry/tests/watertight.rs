@@ -52,7 +52,9 @@ impl Target {
         } else {
             let i = chance.below(self.edges.len());
             let (a, b) = self.edges[i];
-            let along = chance.unit();
+            // Not so near a corner that rounding the ray leads past it: corners have rims of their
+            // own, and are picked themselves.
+            let along = 1e-3 + 0.998 * chance.unit();
             let p = self.corners[a as usize].lerp(self.corners[b as usize], along);
             (p, &self.edge_normals[i])
         }
