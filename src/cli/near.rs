@@ -18,7 +18,7 @@ pub fn near<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Ve
     all.dedup_by_key(|(_, candidate)| *candidate);
     // Beside one that is much nearer the others only distract.
     let best = all.first().map_or(0.0, |(likeness, _)| *likeness);
-    all.retain(|(likeness, _)| *likeness > best - 0.1);
+    all.retain(|(likeness, _)| *likeness > best - 0.05);
     all.into_iter().take(3).map(|(_, candidate)| candidate).collect()
 }
 
