@@ -34,7 +34,7 @@ fn scenes() -> Vec<(PathBuf, String)> {
 
 fn told(path: &Path, text: &str) -> (Vec<Diagnostic>, Sources) {
     let mut sources = Sources::new();
-    let compiled = lang::compile(path, text, &[], &Disk, &mut sources);
+    let compiled = lang::compile(path, text, &[], &[], &Disk, &mut sources);
     for told in &compiled.diagnostics {
         assert!(!told.headline.is_empty());
         for label in &told.labels {

@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 
 use common::{Nothing, compile, show};
-use scn::diag::Sources;
+use scn::diag::{Code, Sources};
 use scn::lang;
 use scn::math::Spectrum;
 use scn::scene::{Camera, Integrator, Light, Material, Object, Scene};
@@ -168,7 +168,8 @@ fn set_says_it_last_in_every_render() {
         "camera=perspective { eye: (0, 0, 100), look_at: (0, 0, 0), fov_y: 1 rad }".to_string(),
     ];
     let mut sources = Sources::new();
-    let compiled = lang::compile(Path::new("x/scene.scn"), text, &sets, &Nothing, &mut sources);
+    let compiled =
+        lang::compile(Path::new("x/scene.scn"), text, &sets, &[], &Nothing, &mut sources);
     assert!(compiled.diagnostics.is_empty(), "{:?}", compiled.diagnostics);
     for render in &compiled.renders {
         assert_eq!(render.scene.stop.samples.0, 3);
@@ -179,10 +180,24 @@ fn set_says_it_last_in_every_render() {
 }
 
 #[test]
+fn set_speaks_of_the_renders_that_are_asked_for() {
+    let text = "scn 1 in cm\nrender a { integrator: preview }\nrender b { integrator: direct }";
+    let sets = ["integrator.shadows=off".to_string()];
+    let told = |only: &[String]| {
+        let path = Path::new("scene.scn");
+        let compiled = lang::compile(path, text, &sets, only, &Nothing, &mut Sources::new());
+        compiled.diagnostics.into_iter().map(|told| told.code).collect::<Vec<_>>()
+    };
+    assert_eq!(told(&["b".to_string()]), []);
+    assert_eq!(told(&[]), [Code::NAME_UNKNOWN_FIELD]);
+}
+
+#[test]
 fn names_of_files_are_relative_to_the_file_whose_text_holds_them() {
     let text = "scn 1 in m\nintegrator: direct\nobject a: mesh { file: \"models/a.obj\", unit: m }";
     let mut sources = Sources::new();
-    let compiled = lang::compile(Path::new("some/scene.scn"), text, &[], &Nothing, &mut sources);
+    let compiled =
+        lang::compile(Path::new("some/scene.scn"), text, &[], &[], &Nothing, &mut sources);
     let Object::Mesh(mesh) = &compiled.renders[0].scene.objects[0].value.value else { panic!() };
     assert_eq!(mesh.file.path, Path::new("some/models/a.obj"));
     assert_eq!(compiled.renders[0].name.value, "scene");

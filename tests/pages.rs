@@ -52,7 +52,7 @@ fn faults(folder: &Path, text: &str) -> (Vec<Diagnostic>, Sources) {
     let path = folder.join("example.scn");
     std::fs::write(&path, text).unwrap();
     let mut sources = Sources::new();
-    let compiled = lang::compile(&path, text, &[], &Disk, &mut sources);
+    let compiled = lang::compile(&path, text, &[], &[], &Disk, &mut sources);
     let mut found = compiled.diagnostics;
     if found.iter().all(|fault| fault.level != Level::Error) {
         assert!(!compiled.renders.is_empty(), "no error, and no render");

@@ -53,7 +53,7 @@ fn renders(text: &str) -> Option<Vec<String>> {
 fn faults(path: &Path) -> String {
     let text = std::fs::read_to_string(path).unwrap();
     let mut sources = Sources::new();
-    let compiled = lang::compile(path, &text, &sets(&text), &Disk, &mut sources);
+    let compiled = lang::compile(path, &text, &sets(&text), &[], &Disk, &mut sources);
     let mut expected: BTreeMap<String, Vec<Expected>> = BTreeMap::new();
     for id in 0..sources_count(&compiled, &sources) {
         let source = sources.get(scn::diag::FileId(id as u32));

@@ -45,7 +45,7 @@ pub fn run(options: &Lint) -> End {
 
 /// The number of renders of a file, and its faults. None if it could not be read.
 fn check(file: &Path, sets: &[String], sources: &mut Sources) -> Option<(usize, Vec<Diagnostic>)> {
-    let compiled = scene_file::compile(file, sets, sources)?;
+    let compiled = scene_file::compile(file, sets, &[], sources)?;
     let mut found = compiled.diagnostics;
     let mut loader = Loader::new(&NoProgress);
     for render in &compiled.renders {

@@ -70,7 +70,7 @@ pub struct Render {
     /// in pixels of the scaled picture
     #[arg(long, value_name = "x0,y0,x1,y1", value_parser = crop)]
     pub crop: Option<[u64; 4]>,
-    /// Change the scene, as if written last in every render; may be given more than once
+    /// Change the scene, as if written last in every render asked for; may be given more than once
     #[arg(long, value_name = "path=value")]
     pub set: Vec<String>,
     /// Say nothing but errors

@@ -61,8 +61,9 @@ impl<'a> Session<'a> {
         let options = self.options;
         let output =
             Output::new(options.output.as_deref(), &options.file).map_err(|text| failed(&text))?;
-        let compiled = scene_file::compile(&options.file, &options.set, &mut self.sources)
-            .ok_or(End::NotDone)?;
+        let compiled =
+            scene_file::compile(&options.file, &options.set, &options.only, &mut self.sources)
+                .ok_or(End::NotDone)?;
         if compiled.diagnostics.iter().any(|d| d.level == Level::Error) {
             self.tell(compiled.diagnostics);
             return Err(End::SceneErrors);

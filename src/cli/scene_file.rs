@@ -17,10 +17,16 @@ impl Library for Disk {
     }
 }
 
-/// Reads and compiles a scene file. None if it could not be read; why has been told.
-pub fn compile(path: &Path, sets: &[String], sources: &mut Sources) -> Option<Compiled> {
+/// Reads and compiles a scene file, with the arguments of `--set` and of `--only`. None if it
+/// could not be read; why has been told.
+pub fn compile(
+    path: &Path,
+    sets: &[String],
+    only: &[String],
+    sources: &mut Sources,
+) -> Option<Compiled> {
     match files::text::read(path) {
-        Ok(text) => Some(lang::compile(path, &text, sets, &Disk, sources)),
+        Ok(text) => Some(lang::compile(path, &text, sets, only, &Disk, sources)),
         Err(failure) => {
             terminal::fail(&unread(path, &failure));
             None

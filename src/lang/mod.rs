@@ -57,11 +57,13 @@ pub struct Render {
 
 /// Compiles a scene file. `path`: the main file; its folder is the base of relative names, its
 /// stem the name of the single render of a file without `render`. `sets`: the arguments of
-/// `--set`, each `path=value`, checked as if written in the file.
+/// `--set`, each `path=value`, checked as if written last in the renders named in `only`, or in
+/// all of them where `only` is empty.
 pub fn compile(
     path: &Path,
     text: &str,
     sets: &[String],
+    only: &[String],
     library: &dyn Library,
     sources: &mut Sources,
 ) -> Compiled {
@@ -73,7 +75,7 @@ pub fn compile(
     implicit_render(&mut plan, path, &units[0].tree.items, &units[0].tree.broken_words);
     let sets = resolve::sets(&ev, &mut plan, sets);
     let readable = ev.reports.errors() == 0;
-    let (lowered, missing) = check_renders(&ev, &plan, &sets, main);
+    let (lowered, missing) = check_renders(&ev, &plan, &sets, only, main);
     tell_missing(&ev, &plan, &missing);
     let renders = if readable { lowered } else { Vec::new() };
     let reports = std::mem::take(&mut ev.reports);
@@ -142,6 +144,7 @@ fn check_renders(
     ev: &Evaluator,
     plan: &Plan,
     sets: &[std::rc::Rc<resolve::Action>],
+    only: &[String],
     main: FileId,
 ) -> (Vec<Render>, Missing) {
     let mut composer = Composer { ev, plan, sets, lenient: false };
@@ -150,6 +153,7 @@ fn check_renders(
     let mut missing = Vec::new();
     for (i, (name, scope)) in plan.renders.iter().enumerate() {
         let before = ev.reports.errors();
+        composer.sets = if only.is_empty() || only.contains(&name.value) { sets } else { &[] };
         let declared = composer.compose(*scope, &mut used);
         let lowered = lower::lower(ev, &declared, name.span, None);
         missing.extend(lowered.missing.into_iter().map(|kind| (i, kind)));

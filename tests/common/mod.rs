@@ -28,7 +28,7 @@ impl Library for Nothing {
 /// A text alone, as if in the file `scene.scn`.
 pub fn compile(text: &str) -> (Compiled, Sources) {
     let mut sources = Sources::new();
-    let compiled = lang::compile(Path::new("scene.scn"), text, &[], &Nothing, &mut sources);
+    let compiled = lang::compile(Path::new("scene.scn"), text, &[], &[], &Nothing, &mut sources);
     (compiled, sources)
 }
 

@@ -37,7 +37,7 @@ impl Library for Disk {
 /// of its faults, as the command prints it. `sets` are arguments of `--set`.
 pub fn open_text(path: &Path, text: &str, sets: &[String]) -> Result<Vec<Shot>, String> {
     let mut sources = Sources::new();
-    let compiled = lang::compile(path, text, sets, &Disk, &mut sources);
+    let compiled = lang::compile(path, text, sets, &[], &Disk, &mut sources);
     let mut faults = compiled.diagnostics;
     let mut loader = Loader::new(&NoProgress);
     let mut shots = Vec::new();
