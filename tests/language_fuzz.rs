@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use common::Disk;
 use proptest::prelude::*;
-use scn::diag::{Diagnostic, FileId, Sources};
+use scn::diag::{Diagnostic, FileId, Level, Sources};
 use scn::lang;
 
 fn root() -> PathBuf {
@@ -189,5 +189,43 @@ fn texts_made_to_exhaust_the_reader_are_refused_quickly() {
     ];
     for text in texts {
         told(Path::new("scene.scn"), &text);
+    }
+}
+
+/// Ends of lines outside of brackets, comments and strings, where an item ends.
+fn between_items(text: &str) -> Vec<usize> {
+    let marks = structure(text);
+    let mut found = Vec::new();
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let end = start + line.trim_end().len();
+        let open = |c: char| "([{".contains(c) as i64 - ")]}".contains(c) as i64;
+        let before = marks.iter().take_while(|(at, _)| *at < end);
+        let depth: i64 = before.map(|(_, c)| open(*c)).sum();
+        if depth == 0 && !line.contains("//") && !line.trim().is_empty() {
+            found.push(end);
+        }
+        start += line.len();
+    }
+    found
+}
+
+#[test]
+fn nothing_after_an_item_is_passed_over() {
+    let junk = ["# yes", "yes", "32", "$$$", "\"hello\"", "(1, 2)", "[3]", "==", "%%", "! x: 1"]
+        .into_iter()
+        .chain(["& y", "°", "é", "; ;", "?", "@a", "1..3", "'x'", "~", "|", "\\", "`"]);
+    for (path, text) in scenes() {
+        let ends = between_items(&text);
+        assert!(!ends.is_empty(), "{}", path.display());
+        for (i, junk) in junk.clone().enumerate() {
+            // Each junk at some of the places, so that all places have some.
+            for end in ends.iter().skip(i % 3).step_by(3) {
+                let changed = format!("{} {junk}{}", &text[..*end], &text[*end..]);
+                let (told, _) = told(&path, &changed);
+                let errors = told.iter().filter(|told| told.level == Level::Error).count();
+                assert!(errors > 0, "{} byte {end}: `{junk}` is not told", path.display());
+            }
+        }
     }
 }

@@ -116,6 +116,8 @@ impl<'t> Builder<'t> {
         let mut items = Vec::new();
         let mut last: Option<Span> = None;
         let mut last_end = 0;
+        // How many faults there were before the last item.
+        let mut before_last = 0;
         for pair in pairs {
             let rule = pair.as_rule();
             if matches!(rule, Rule::sep | Rule::EOI) {
@@ -135,8 +137,16 @@ impl<'t> Builder<'t> {
                 let last = last.expect("not parted from it");
                 self.diagnostics.push(syntax::missing_separator(last, span, "item"));
             }
+            let faultless = self.diagnostics.len() == before_last;
+            before_last = self.diagnostics.len();
+            if rule == Rule::broken {
+                // No byte is passed over in silence: what follows an item on its line is told,
+                // unless it may be a consequence of a fault in that item.
+                self.broken(&pair, parted, parted || faultless);
+            } else {
+                items.extend(self.item(pair));
+            }
             (last, last_end) = (Some(span), end);
-            items.extend(self.item(pair, parted));
         }
         items
     }
@@ -148,19 +158,23 @@ impl<'t> Builder<'t> {
         }
     }
 
-    fn item(&mut self, pair: Pair, parted: bool) -> Option<Item> {
+    /// Text that is no item, or (not `parted` from it) follows one on its line.
+    fn broken(&mut self, pair: &Pair, parted: bool, tell: bool) {
+        let text = pair.as_str();
+        self.poison(text);
+        if tell {
+            let start = self.offset + pair.as_span().start();
+            let told = match parted {
+                true => explain::item(self, code(text), start),
+                false => explain::leftover(self, code(text), start),
+            };
+            self.diagnostics.push(told);
+        }
+    }
+
+    fn item(&mut self, pair: Pair) -> Option<Item> {
         let span = self.span(&pair);
         Some(match pair.as_rule() {
-            Rule::broken => {
-                let text = pair.as_str();
-                self.poison(text);
-                if parted {
-                    let start = self.offset + pair.as_span().start();
-                    let told = explain::item(self, code(text), start);
-                    self.diagnostics.push(told);
-                }
-                return None;
-            }
             Rule::r#use => {
                 let string = pair.into_inner().nth(1)?;
                 Item::Use(self.word(string))

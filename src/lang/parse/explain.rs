@@ -13,6 +13,17 @@ pub fn item(builder: &Builder, text: &str, start: usize) -> Diagnostic {
     refused(builder, Rule::item_alone, text, start)
 }
 
+/// Tells of what follows a whole item on its line.
+pub fn leftover(builder: &Builder, text: &str, start: usize) -> Diagnostic {
+    let (at, length) = thing(text, 0);
+    let span = builder.place(start + at, start + at + length);
+    if let Some(told) = comment(text, builder.place(start, start + text.len())) {
+        return told;
+    }
+    let found = text.get(at..at + length).unwrap_or("");
+    syntax::unexpected("a comma or a new line after this item", found, span)
+}
+
 /// Tells of a field.
 pub fn entry(builder: &Builder, text: &str, start: usize) -> Diagnostic {
     refused(builder, Rule::entry_alone, text, start)
@@ -63,11 +74,18 @@ fn thing(text: &str, at: usize) -> (usize, usize) {
     }
 }
 
-fn tell(text: &str, at: usize, whole: Span, span: Span, in_record: bool) -> Diagnostic {
+/// Tells of a comment of another language, if the text begins with one.
+fn comment(text: &str, whole: Span) -> Option<Diagnostic> {
     let start = text.trim_start();
-    if start.starts_with('#') || start.starts_with("/*") || start.starts_with("--") {
-        return syntax::comment(start.split_whitespace().next().unwrap_or("#"), whole);
+    let begins = start.starts_with('#') || start.starts_with("/*") || start.starts_with("--");
+    begins.then(|| syntax::comment(start.split_whitespace().next().unwrap_or("#"), whole))
+}
+
+fn tell(text: &str, at: usize, whole: Span, span: Span, in_record: bool) -> Diagnostic {
+    if let Some(told) = comment(text, whole) {
+        return told;
     }
+    let start = text.trim_start();
     let length = (span.end - span.start) as usize;
     let found = text.get(at..at + length).unwrap_or("");
     let before = text[..at].trim_end();
