@@ -54,6 +54,10 @@ impl Direct {
                 continue;
             }
             if self.shadows {
+                // A surface hides first of all what is behind itself.
+                if !surface.faces(arrival.wi) {
+                    continue;
+                }
                 counts.shadow_rays += 1;
                 if world.geometry.occluded(&arrival.shadow) {
                     continue;

@@ -36,13 +36,14 @@ pub struct Lambert {
 }
 
 impl Lambert {
-    /// albedo/π times the cosine at the shading normal. Interpolated normals may be lit where the
-    /// surface itself is not: there it stays black, or light would leak through from behind.
+    /// albedo/π times the cosine at the shading normal.
     pub(super) fn scattered(&self, wi: Vec3) -> Rgb {
-        if self.ng.dot(wi) <= 0.0 {
-            return Rgb::BLACK;
-        }
         self.albedo * (FRAC_1_PI * self.ns.dot(wi).max(0.0))
+    }
+
+    /// Whether `wi` is on the viewer's side of the geometric surface.
+    pub(super) fn faces(&self, wi: Vec3) -> bool {
+        self.ng.dot(wi) > 0.0
     }
 }
 
@@ -64,23 +65,26 @@ mod tests {
     }
 
     #[test]
-    fn light_is_weighed_at_the_shading_normal_and_stopped_at_the_surface() {
+    fn light_is_weighed_at_the_shading_normal_and_hidden_by_the_surface_itself() {
         let diffuse = Diffuse { albedo: Rgb::grey(0.5), emission: Rgb::BLACK };
         let hit = tilted();
         let cases = [
             // Above both.
-            (Vec3::Z, 0.8),
-            (Vec3::new(0.6, 0.0, 0.8), 1.0),
+            (Vec3::Z, 0.8, true),
+            (Vec3::new(0.6, 0.0, 0.8), 1.0, true),
             // Above the surface, below the shading normal.
-            (Vec3::new(-0.96, 0.0, 0.28), 0.0),
+            (Vec3::new(-0.96, 0.0, 0.28), 0.0, true),
             // Above the shading normal, below the surface.
-            (Vec3::new(0.96, 0.0, -0.28), 0.0),
+            (Vec3::new(0.96, 0.0, -0.28), 0.352, false),
         ];
-        for (wi, cos) in cases {
-            let above = diffuse.at(&hit, Vec3::Z).scattered(wi).g;
-            assert!((above - 0.5 * FRAC_1_PI * cos).abs() < 1e-6, "{wi}: {above}");
+        for (wi, cos, faces) in cases {
+            let above = diffuse.at(&hit, Vec3::Z);
+            let scattered = above.scattered(wi).g;
+            assert!((scattered - 0.5 * FRAC_1_PI * cos).abs() < 1e-6, "{wi}: {scattered}");
+            assert_eq!(above.faces(wi), faces);
             // From behind everything is as if the surface were turned round.
-            assert_eq!(diffuse.at(&hit, Vec3::NEG_Z).scattered(-wi).g, above);
+            let behind = diffuse.at(&hit, Vec3::NEG_Z);
+            assert_eq!((behind.scattered(-wi).g, behind.faces(-wi)), (scattered, faces));
         }
     }
 }

@@ -48,10 +48,19 @@ pub enum Bsdf {
 
 impl Bsdf {
     /// The BSDF towards the viewer of light from `wi`, times the cosine at the shading normal,
-    /// in 1/sr. Black for light from behind the geometric surface.
+    /// in 1/sr.
     pub fn scattered(&self, wi: Vec3) -> Rgb {
         match self {
             Self::Lambert(lambert) => lambert.scattered(wi),
+        }
+    }
+
+    /// Whether light from `wi` reaches the viewer's side of the geometric surface. Where normals
+    /// are interpolated it may not, though it is above the shading normal: it would leak through
+    /// from behind.
+    pub fn faces(&self, wi: Vec3) -> bool {
+        match self {
+            Self::Lambert(lambert) => lambert.faces(wi),
         }
     }
 }
