@@ -54,8 +54,12 @@ fn its_faulty_scene_is_reported_as_printed() {
     let faulty = of_kind("scn-faulty");
     let printed = of_kind("text");
     assert_eq!((faulty.len(), printed.len()), (1, 1));
-    let report = shots::open_text(Path::new("ball.scn"), &faulty[0], &[]).err().unwrap();
-    let shown = printed[0].split_once('\n').unwrap().1;
+    let (command, shown) = printed[0].split_once('\n').unwrap();
+    let name = command.strip_prefix("$ scn lint ").unwrap();
+    // Who saves it by that name overwrites none of the scenes before.
+    let before = README.split("```scn-faulty").next().unwrap();
+    assert!(before.contains(&format!("`{name}`, has three")) && name != "ball.scn");
+    let report = shots::open_text(Path::new(name), &faulty[0], &[]).err().unwrap();
     assert!(shown.trim() == report.trim(), "the README should show:\n{report}");
 }
 
@@ -89,6 +93,8 @@ fn the_scene_files_it_names_are_there_and_the_gate_runs_its_test_command() {
         }
     }
     assert!(named >= 3);
+    let architecture = include_str!("../docs/architecture.md");
+    assert!(README.contains("(docs/language.md)") && architecture.contains("(language.md)"));
     let gate = std::fs::read_to_string(shots::path(".ci/run")).unwrap();
     for text in [README, &gate] {
         assert!(text.lines().any(|line| line.trim() == "cargo test"));

@@ -15,7 +15,7 @@ pub fn run(options: &Explain) -> End {
     let bare = bare.trim_matches([']', '[', ':', ' ']);
     match diag::find(bare) {
         Some(code) => {
-            terminal::say(code.page);
+            terminal::say(&page(code.page));
             End::Well
         }
         None => {
@@ -54,7 +54,59 @@ fn all() -> String {
     text
 }
 
+/// A page as it is read on a terminal: its examples are set in, each under what it is.
+fn page(page: &str) -> String {
+    let mut text = String::new();
+    let mut inside = false;
+    for line in page.lines() {
+        if let Some(info) = line.strip_prefix("```") {
+            inside = !inside;
+            let heading = match info.trim() {
+                _ if !inside => continue,
+                "scn" => "Wrong:".to_string(),
+                "scn-ok" => "Mended:".to_string(),
+                other => match other.strip_prefix("file ") {
+                    Some(name) => format!("File {name}:"),
+                    None => continue,
+                },
+            };
+            if !text.ends_with("\n\n") {
+                text.push('\n');
+            }
+            text.push_str(&format!("{heading}\n\n"));
+        } else if inside && !line.is_empty() {
+            text.push_str(&format!("    {line}\n"));
+        } else {
+            text.push_str(&format!("{line}\n"));
+        }
+    }
+    text
+}
+
 /// The heading of a page.
 fn title(page: &str) -> &str {
     page.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or("")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_says_which_example_is_wrong_and_which_is_mended() {
+        let told = "# A\n\nWhat.\n\n```scn\nscn 1\n\nuse \"b.obj\"\n```\n```file b.obj\nv 1\n```\n\nDo.\n\n\
+                    ```scn-ok\nscn 1 in m\n```\n";
+        let shown = "# A\n\nWhat.\n\nWrong:\n\n    scn 1\n\n    use \"b.obj\"\n\nFile b.obj:\n\n    v 1\n\n\
+                     Do.\n\nMended:\n\n    scn 1 in m\n";
+        assert_eq!(page(told), shown);
+    }
+
+    #[test]
+    fn no_fence_is_shown() {
+        for code in CODES {
+            let shown = page(code.page);
+            assert!(!shown.contains("```"), "{}", code.name);
+            assert!(shown.contains("\nWrong:\n") && shown.contains("\nMended:\n"), "{shown}");
+        }
+    }
 }

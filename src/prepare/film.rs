@@ -32,7 +32,7 @@ pub enum Unfit {
 impl fmt::Display for Unfit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Scale(scale) => write!(f, "a film can not be scaled by {scale}"),
+            Self::Scale(scale) => write!(f, "a film cannot be scaled by {scale}"),
             Self::Size { size: [w, h], scale } => {
                 let much = if *scale < 1.0 { "no pixel" } else { "too many pixels" };
                 write!(f, "scaled by {scale:?}, a film of {w} × {h} has {much}")
@@ -47,7 +47,7 @@ impl fmt::Display for Unfit {
     }
 }
 
-/// Columns and rows beyond which pixels can not be told apart in what follows.
+/// Columns and rows beyond which pixels cannot be told apart in what follows.
 const MOST_PIXELS_A_SIDE: f64 = 4_294_967_296.0;
 
 /// Columns and rows of the whole film, and the window that is wanted.

@@ -7,8 +7,10 @@ use super::{Angle, Direction, Number, Point};
 vocabulary! {
     /// Where the picture is taken from.
     pub enum Camera: "camera" {
-        /// A pinhole that sees the whole scene: it looks at the centre of the bounding box of all
-        /// bounded objects, from so many bounding-sphere radii away.
+        /// A pinhole that looks at the centre of the bounding box of all bounded objects, from so
+        /// many radii of the box's bounding sphere away. By its defaults, those of the course, a
+        /// sphere of 0.78 of that radius fits the height of the picture: corners of the box may be
+        /// cut off. On a square film `distance: 2.24` fits all of it.
         "overview" => Overview {
             /// The direction it looks along.
             look: Direction = "-z";

@@ -31,7 +31,9 @@ vocabulary! {
             /// Its standard deviation.
             deviation: Number = "0.5", Range::between(0.01, 8.0);
         }
-        /// The cubics of Mitchell and Netravali: sharp, with negative lobes.
+        /// The cubics of Mitchell and Netravali: sharp, with negative lobes, which add noise even
+        /// to areas of one brightness, of a standard deviation of about 0.56 / sqrt(samples) of
+        /// it, where samples fall at random. It wants many samples.
         "mitchell" => Mitchell {
             /// How far it reaches along x and y.
             radius: Number = "2", Range::between(0.01, 8.0);

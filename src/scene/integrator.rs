@@ -6,7 +6,8 @@ use super::vocabulary::vocabulary;
 vocabulary! {
     /// How the light that reaches the camera is computed.
     pub enum Integrator: "integrator" {
-        /// Light that went from a lamp to a surface to the camera, and no further.
+        /// Light that went from a lamp or a `directional` light to a surface to the camera, and no
+        /// further. A `constant` light is seen behind the scene, and lights nothing.
         "direct" => Direct {
             /// Whether surfaces hide lamps from each other.
             shadows: Switch = "on";

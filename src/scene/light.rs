@@ -7,7 +7,8 @@ use super::{Direction, Irradiance, Radiance};
 vocabulary! {
     /// Light that comes from no surface. Lamps with a surface are objects with an emission.
     pub enum Light: "light" {
-        /// The same radiance from everywhere around the scene.
+        /// The same radiance from everywhere around the scene. With the integrator `direct` it is
+        /// seen behind the scene, and lights nothing.
         "constant" => Constant {
             /// What is seen of it.
             radiance: Radiance, Range::at_least(0.0);

@@ -1,4 +1,4 @@
-//! Family `scene`: each part of a scene is well written, and together they can not be rendered.
+//! Family `scene`: each part of a scene is well written, and together they cannot be rendered.
 
 use crate::diag::{Code, Diagnostic, Span};
 use crate::scene::At;
@@ -41,8 +41,8 @@ pub fn too_far_away(eye: Span, radii: f64) -> Diagnostic {
 /// An overview of nothing.
 pub fn nothing_to_see(camera: Span) -> Diagnostic {
     Diagnostic::error(Code::SCENE_NOTHING_TO_SEE, "the camera `overview` has nothing to look at")
-        .label(camera, "its camera is to stand where it sees all of the scene")
-        .why("It is placed by the box around all bounded objects; there are none, and planes without end have no box.")
+        .label(camera, "is placed by the box around the bounded objects")
+        .why("There are no bounded objects, and planes without end have no box.")
         .help("add an object, or place a camera yourself: `camera: perspective { eye: …, look_at: …, fov_y: … }`")
 }
 
@@ -130,11 +130,11 @@ pub fn endless_lamp(name: &At<String>) -> Diagnostic {
     let headline = format!("the plane `{}` shines, and has no end", **name);
     Diagnostic::error(Code::SCENE_ENDLESS_LAMP, headline)
         .label(name.span, "a lamp of endless area")
-        .why("`direct` chooses points of a lamp evenly over its area; over an endless one it can not.")
+        .why("`direct` chooses points of a lamp evenly over its area; over an endless one it cannot.")
         .help("use a `quad` or a `disk` as large as it has to be")
 }
 
-/// Triangles that single precision can not tell from lines.
+/// Triangles that single precision cannot tell from lines.
 pub fn lost_triangles(name: &At<String>, lost: u64, of: usize) -> Diagnostic {
     let headline = format!("`{}` loses {lost} of {of} triangles to rounding", **name);
     Diagnostic::warning(Code::SCENE_LOST_TRIANGLES, headline)
