@@ -5,7 +5,7 @@ use std::path::Path;
 use super::log::shown;
 use super::options::{Form, Lint};
 use super::words::counted;
-use super::{End, scene_file, terminal};
+use super::{End, scene_file, terminal, whose};
 use crate::diag::{self, Diagnostic, Sources};
 use crate::load::Loader;
 use crate::math::NoProgress;
@@ -48,12 +48,15 @@ fn check(file: &Path, sets: &[String], sources: &mut Sources) -> Option<(usize, 
     let compiled = scene_file::compile(file, sets, &[], sources)?;
     let mut found = compiled.diagnostics;
     let mut loader = Loader::new(&NoProgress);
+    let mut checked = Vec::new();
     for render in &compiled.renders {
         let (stage, faults) = loader.stage(&render.scene, sources);
         found.extend(faults);
         if let Some(stage) = stage {
-            found.extend(prepare::check(&stage, &prepare::Settings::default()));
+            let faults = prepare::check(&stage, &prepare::Settings::default());
+            checked.push((render.name.value.clone(), faults));
         }
     }
+    found.extend(whose::told(checked));
     Some((compiled.renders.len(), diag::in_order(found, sources)))
 }

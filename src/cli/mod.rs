@@ -8,6 +8,7 @@ mod terminal;
 mod stop;
 mod words;
 mod near;
+mod whose;
 mod bar;
 mod log;
 mod output;

@@ -24,11 +24,16 @@ pub fn near<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Ve
 
 /// "`a`, `b` or `c`".
 pub fn either(words: &[&str]) -> String {
+    quoted(words, "or")
+}
+
+/// "`a`, `b` and `c`", with a word such as "and" before the last.
+pub fn quoted(words: &[&str], and: &str) -> String {
     let quoted: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
     match quoted.as_slice() {
         [] => String::new(),
         [one] => one.clone(),
-        [most @ .., last] => format!("{} or {last}", most.join(", ")),
+        [most @ .., last] => format!("{} {and} {last}", most.join(", ")),
     }
 }
 

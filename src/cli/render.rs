@@ -5,7 +5,7 @@ use super::log::{Event, Loaded, Log, shown};
 use super::near::{either, near};
 use super::options::{Form, Render};
 use super::output::Output;
-use super::{End, picture, scene_file, stop, terminal};
+use super::{End, picture, scene_file, stop, terminal, whose};
 use crate::diag::{self, Diagnostic, Level, Sources};
 use crate::load::{Loader, Stage};
 use crate::prepare;
@@ -68,6 +68,11 @@ impl<'a> Session<'a> {
             self.tell(compiled.diagnostics);
             return Err(End::SceneErrors);
         }
+        if compiled.renders.is_empty() {
+            let file = shown(&options.file);
+            let why = "asks for no picture: it only defines things for others";
+            return Err(failed(&format!("`{file}` {why}")));
+        }
         let chosen = self.chosen(compiled.renders, &output)?;
         let ready = self.load(compiled.diagnostics, chosen)?;
         self.settings_fit(&ready, &output)?;
@@ -129,13 +134,14 @@ impl<'a> Session<'a> {
     ) -> Result<Vec<Ready>, End> {
         let settings = self.settings();
         let mut ready = Vec::new();
+        let mut checked = Vec::new();
         self.bar.begin("Loading");
         let mut loader = Loader::new(&self.bar);
         for render in chosen {
             let (stage, faults) = loader.stage(&render.scene, &mut self.sources);
             found.extend(faults);
             if let Some(stage) = stage {
-                found.extend(prepare::check(&stage, &settings));
+                checked.push((render.name.value.clone(), prepare::check(&stage, &settings)));
                 ready.push(Ready { name: render.name.value, stage });
             }
             if stop::asked() {
@@ -143,8 +149,12 @@ impl<'a> Session<'a> {
             }
         }
         self.bar.end();
+        // Preparing finds the same once more.
+        let known: Vec<_> = checked.iter().flat_map(|(_, faults)| faults).cloned().collect();
+        found.extend(whose::told(checked));
         let faulty = found.iter().any(|diagnostic| diagnostic.level == Level::Error);
         self.tell(found);
+        self.told.extend(known);
         if stop::asked() {
             Err(End::Interrupted)
         } else if faulty {

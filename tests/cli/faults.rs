@@ -153,3 +153,37 @@ fn lint_tells_all_faults_of_all_files() {
 
     bench.run("lint bad.scn --set film.size=(0,0)").ends(1);
 }
+
+#[test]
+fn a_fault_of_one_render_among_several_names_it() {
+    let bench = Bench::new();
+    let dark =
+        format!("{BALL}render dark {{ without light sun }}\nrender too {{ without light sun }}\n");
+    bench.put("dark.scn", &dark);
+    let told = bench.run("lint dark.scn").well().stdout;
+    assert!(told.contains("scene/nothing-shines"), "{told}");
+    assert!(
+        told.split_whitespace().collect::<Vec<_>>().join(" ").contains("renders `dark`"),
+        "{told}"
+    );
+    // Told once by render too, though it looks twice.
+    let run = bench.run("render dark.scn --log json").well();
+    assert_eq!(run.stderr.matches("warning[").count(), 1, "{}", run.stderr);
+    // Where all have it there is nothing to tell apart.
+    let run = bench.run("render dark.scn --only dark").well();
+    assert!(
+        run.stderr.contains("nothing-shines") && !run.stderr.contains("(in "),
+        "{}",
+        run.stderr
+    );
+}
+
+#[test]
+fn a_file_that_only_defines_things_has_no_picture() {
+    let bench = Bench::new();
+    bench.put("lib.scn", "scn 1 in m\n\nsetup fine { stop.samples: 64 }\n");
+    let run = bench.run("render lib.scn").ends(2);
+    let run = run.says("`lib.scn` asks for no picture: it only defines things for others");
+    assert_eq!(run.stdout, "");
+    bench.run("lint lib.scn").well();
+}
