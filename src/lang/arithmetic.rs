@@ -17,7 +17,7 @@ pub fn quantity(ev: &Evaluator, value: &Value) -> Value {
     if let Some(found) = known(&word.text, span) {
         return found;
     }
-    ev.reports.tell_unknown(&word.text, name::unknown_value(&word.text, word.span));
+    ev.reports.tell_unknown(&word.text, name::unknown_value(&word.text, word.span, &[]));
     Value::broken(span)
 }
 

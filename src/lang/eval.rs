@@ -75,6 +75,15 @@ impl Evaluator {
         Env(frame)
     }
 
+    /// Everything that was defined and may be used, loops' variables and lets of bodies included.
+    pub fn bindings(&self) -> Vec<Rc<Binding>> {
+        let frames = self.frames.borrow();
+        frames
+            .iter()
+            .flat_map(|frame| frame.names.borrow().values().cloned().collect::<Vec<_>>())
+            .collect()
+    }
+
     /// Defines a name; tells if it is taken.
     pub fn define(&self, env: &Env, name: &Word, what: Bound) {
         let what = match reserved(&name.text) {
@@ -154,9 +163,9 @@ impl Evaluator {
                 return arithmetic::negated(self, self.eval(inner, env), span);
             }
             ExprKind::Chain { first, rest } => {
-                let mut value = self.eval(first, env);
+                let mut value = self.operand(first, env);
                 for (operator, place, right) in rest.iter() {
-                    let right = self.eval(right, env);
+                    let right = self.operand(right, env);
                     let span = expr.span;
                     value = arithmetic::binary(self, value, *operator, *place, right, span);
                 }
@@ -176,6 +185,23 @@ impl Evaluator {
             ExprKind::Broken => ValueKind::Broken,
         };
         Value { kind, span }
+    }
+
+    /// The value of an expression that no place gives a meaning: a word written in it must be
+    /// known here, while one that comes from a let or a loop stays the word it is.
+    fn operand(&self, expr: &Expr, env: &Env) -> Value {
+        let value = self.eval(expr, env);
+        let (ExprKind::Name(path), ValueKind::Word(word)) = (&expr.kind, &value.kind) else {
+            return value;
+        };
+        if matches!(path.as_slice(), [word] if env.find(&word.text).is_some()) {
+            return value;
+        }
+        arithmetic::known(&word.text, expr.span).unwrap_or_else(|| {
+            let told = names::unknown_value(&word.text, expr.span, &env.all());
+            self.reports.tell_unknown(&word.text, told);
+            Value::broken(expr.span)
+        })
     }
 
     /// The value, told if it is infinite or no number.
@@ -207,7 +233,7 @@ impl Evaluator {
             match piece {
                 Piece::Words(words) => text.push_str(words),
                 Piece::Value(expr) => {
-                    let value = self.eval(expr, env);
+                    let value = self.operand(expr, env);
                     match &value.kind {
                         ValueKind::Number { value, dimension, unit } => {
                             text.push_str(&super::value::shown(*value, *dimension, *unit));

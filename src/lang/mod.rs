@@ -17,6 +17,7 @@ mod parse;
 mod report;
 mod resolve;
 mod scan;
+mod unused;
 mod value;
 
 use std::collections::HashSet;
@@ -77,6 +78,7 @@ pub fn compile(
     let readable = ev.reports.errors() == 0;
     let (lowered, missing) = check_renders(&ev, &plan, &sets, only, main);
     tell_missing(&ev, &plan, &missing);
+    unused::check(&ev, &plan);
     let renders = if readable { lowered } else { Vec::new() };
     let reports = std::mem::take(&mut ev.reports);
     Compiled { renders, diagnostics: reports.finish() }

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::ast::{Expr, ExprKind, Item, Let, Piece};
+use super::ast::{Expr, ExprKind, Item, Let, Piece, Word};
 use super::errors::name as names;
 use super::eval::Evaluator;
 use super::import::Unit;
@@ -95,6 +95,7 @@ fn tell_circles(ev: &Evaluator, lets: &[Arc<Let>]) -> HashSet<Span> {
         let params: HashSet<&str> = params.map(|param| &*param.text).collect();
         let mut needs: Vec<_> = words
             .into_iter()
+            .map(|(word, _)| &*word.text)
             .filter(|word| !params.contains(word))
             .filter_map(|word| index.get(word).copied())
             .collect();
@@ -112,8 +113,8 @@ fn tell_circles(ev: &Evaluator, lets: &[Arc<Let>]) -> HashSet<Span> {
     broken
 }
 
-/// The words an expression may look up.
-fn mentioned<'e>(expr: &'e Expr, found: &mut Vec<&'e str>) {
+/// The words an expression may look up, and whether each is called as a function.
+pub fn mentioned<'e>(expr: &'e Expr, found: &mut Vec<(&'e Word, bool)>) {
     let mut records = Vec::new();
     match &expr.kind {
         ExprKind::Number { .. } | ExprKind::Broken => {}
@@ -127,14 +128,14 @@ fn mentioned<'e>(expr: &'e Expr, found: &mut Vec<&'e str>) {
         }
         ExprKind::Call { function, arguments } => {
             if let [word] = function.as_slice() {
-                found.push(&word.text);
+                found.push((word, true));
             }
             arguments.iter().for_each(|expr| mentioned(expr, found));
         }
         ExprKind::Record(record) => records.push(&**record),
         ExprKind::Name(path) => {
             if let [word] = path.as_slice() {
-                found.push(&word.text);
+                found.push((word, false));
             }
         }
         ExprKind::Negated(inner) | ExprKind::Power(inner, _) => mentioned(inner, found),

@@ -75,6 +75,8 @@ pub struct Plan {
     pub scopes: Vec<Scope>,
     /// Renders by their scopes, in the order of the text.
     pub renders: Vec<(At<String>, usize)>,
+    /// What setups and renders are called.
+    pub blocks: Vec<Arc<str>>,
     /// The names of the main file.
     names: Option<Env>,
     /// Where each scope stands in an order in which all come after what they build on.
@@ -120,6 +122,7 @@ pub fn plan(ev: &Evaluator, units: &[Unit]) -> Plan {
         planner.items(&unit.tree.items, &envs[i], TOP, Place::Top);
     }
     planner.link();
+    planner.plan.blocks = planner.named.into_keys().collect();
     planner.plan
 }
 
@@ -305,7 +308,7 @@ impl Planner<'_> {
             ValueKind::List(all) => all.clone(),
             ValueKind::Broken => return,
             ValueKind::Word(word) => {
-                let told = names::unknown_value(&word.text, word.span);
+                let told = names::unknown_value(&word.text, word.span, &env.all());
                 return self.ev.reports.tell_unknown(&word.text, told);
             }
             _ => return self.ev.reports.tell(types::no_list(&head.described(), head.span)),

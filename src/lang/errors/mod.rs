@@ -17,18 +17,29 @@ pub fn nearest<'w>(word: &str, all: impl IntoIterator<Item = &'w str>) -> Vec<&'
             let edits = strsim::damerau_levenshtein(&lower, &other_lower) as f64;
             let longest = lower.chars().count().max(other_lower.chars().count()).max(1) as f64;
             let mut alike = 1.0 - edits / longest;
-            if lower.len() > 2 && (other_lower.contains(&lower) || lower.contains(&other_lower)) {
+            let shorter = lower.len().min(other_lower.len());
+            if shorter > 2 && (other_lower.contains(&lower) || lower.contains(&other_lower)) {
                 alike = alike.max(0.61);
             }
             (alike, other)
         })
-        .filter(|(alike, _)| *alike >= 0.5)
+        .filter(|(alike, other)| *alike >= 0.5 && !other_short(&lower, &other.to_lowercase()))
         .collect();
     found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
     found.dedup_by_key(|(_, word)| *word);
     let best = found.first().map_or(0.0, |(alike, _)| *alike);
     found.retain(|(alike, _)| *alike > best - 0.25);
     found.into_iter().map(|(_, word)| word).take(3).collect()
+}
+
+/// Short words of the same length with other letters are other words, not the same misspelt.
+fn other_short(a: &str, b: &str) -> bool {
+    let letters = |word: &str| {
+        let mut letters: Vec<char> = word.chars().collect();
+        letters.sort_unstable();
+        letters
+    };
+    a.len() == b.len() && a.len() <= 3 && letters(a) != letters(b)
 }
 
 /// "`a`, `b` or `c`".
@@ -57,6 +68,9 @@ mod tests {
         assert_eq!(nearest("albdo", all), ["albedo"]);
         assert_eq!(nearest("Radius", all), ["radius"]);
         assert!(nearest("file", all).is_empty());
+        assert!(nearest("nosuch", ["h", "s"]).is_empty());
+        assert!(nearest("red", ["rad"]).is_empty());
+        assert_eq!(nearest("fo", ["of"]), ["of"]);
     }
 
     #[test]

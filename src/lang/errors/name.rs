@@ -1,5 +1,7 @@
 //! `name/…`: a word that nothing here is called, or that two things are called.
 
+use std::sync::Arc;
+
 use super::{listed, nearest, with_article};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::ast::Word;
@@ -68,25 +70,30 @@ pub fn unknown_unit(found: &str, span: Span) -> Diagnostic {
     offer(told, found, span, &all, "units are")
 }
 
-/// A word where a quantity belongs that is no let and no unit.
-pub fn unknown_value(found: &str, span: Span) -> Diagnostic {
+/// A word where a value belongs that is no unit and none of the names `defined` here.
+pub fn unknown_value(found: &str, span: Span, defined: &[Arc<str>]) -> Diagnostic {
     let told =
         Diagnostic::error(Code::NAME_UNKNOWN_NAME, format!("nothing is called `{found}` here"))
             .label(span, "no value has this name");
-    let all: Vec<_> = units::UNITS.iter().map(|unit| unit.word).chain(["pi"]).collect();
-    match found.trim_end_matches(|c: char| c.is_ascii_digit()) {
-        unit if unit != found && units::find(unit).is_some() => {
-            let power = format!("{unit}^{}", &found[unit.len()..]);
-            told.help(format!("write `{power}` for the power of a unit")).mend(
-                format!("write `{power}`"),
-                span,
-                power,
-            )
-        }
-        _ if nearest(found, all.iter().copied()).is_empty() => {
-            told.help(format!("write a number, or define it: `let {found} = …`"))
-        }
-        _ => offer(told, found, span, &all, "units are"),
+    let power = found.trim_end_matches(|c: char| c.is_ascii_digit());
+    if power != found && units::find(power).is_some() {
+        let power = format!("{power}^{}", &found[power.len()..]);
+        return told.help(format!("write `{power}` for the power of a unit")).mend(
+            format!("write `{power}`"),
+            span,
+            power,
+        );
+    }
+    let mut near: Vec<&str> = nearest(found, defined.iter().map(|name| &**name));
+    // Units are too short for more than their capitals to be mistaken.
+    let units = units::UNITS.iter().map(|unit| unit.word).chain(["pi"]);
+    near.extend(units.filter(|unit| unit.eq_ignore_ascii_case(found)));
+    if !near.is_empty() {
+        return offer(told, found, span, &near, "names are");
+    }
+    match found.contains('.') {
+        true => told.help("write a number, a text, or the name of a `let`"),
+        false => told.help(format!("write a number, or define it: `let {found} = …`")),
     }
 }
 

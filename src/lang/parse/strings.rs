@@ -26,7 +26,9 @@ pub fn pieces(builder: &mut Builder, inside: &str, at: usize) -> Vec<Piece> {
                 Err(length) => {
                     let span = builder.place(at + i, at + i + length);
                     builder.diagnostics.push(syntax::bad_escape(&inside[i..i + length], span));
-                    rest.next();
+                    while rest.peek().is_some_and(|(j, _)| *j < i + length) {
+                        rest.next();
+                    }
                 }
             },
             '{' | '}' if next == Some(c) => {
