@@ -1,9 +1,8 @@
 //! `scn compare` from end to end: figures, exit statuses, refusals, the difference picture.
 
 use std::path::{Path, PathBuf};
-use std::process::Output;
+use std::process::{Command, Output};
 
-use assert_cmd::Command;
 use scn::files::exr::Layers;
 use scn::files::{Metadata, exr, png};
 use scn::math::{Picture, Rgb};
@@ -35,7 +34,7 @@ impl Folder {
 
     /// Runs `scn compare` there.
     fn compare(&self, arguments: &[&str]) -> Told {
-        let mut command = Command::cargo_bin("scn").unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_scn"));
         let output = command.current_dir(self.0.path()).arg("compare").args(arguments).output();
         Told::from(output.unwrap())
     }
@@ -369,4 +368,18 @@ fn the_help_names_every_metric() {
         assert!(told.stdout.contains(metric.name), "{}", metric.name);
         assert!(include_str!("../docs/compare.md").contains(&format!("`{}`", metric.name)));
     }
+}
+
+#[test]
+fn renders_of_one_file_are_told_to_be_so() {
+    let folder = Folder::new();
+    let words = |render, hash| [("scene", "w01.scn"), ("render", render), ("hash", hash)];
+    folder.exr("a.exr", &ramp(1.1), &words("rays_4", "aaaa"));
+    folder.exr("b.exr", &ramp(1.0), &words("rays_16", "bbbb"));
+    folder.exr("c.exr", &ramp(1.0), &words("rays_4", "cccc"));
+    let notes = |one, other| folder.json(&[one, other])["notes"].to_string();
+    let told = notes("a.exr", "b.exr");
+    assert!(told.contains("other renders of the same file, w01.scn: rays_4 and rays_16"), "{told}");
+    // One render with two hashes was changed.
+    assert!(notes("a.exr", "c.exr").contains("of different scenes"), "{told}");
 }

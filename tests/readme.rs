@@ -2,8 +2,7 @@
 //! printed there, its commands and options exist.
 
 use std::path::Path;
-
-use assert_cmd::Command;
+use std::process::Command;
 
 mod shots;
 
@@ -65,7 +64,8 @@ fn its_faulty_scene_is_reported_as_printed() {
 
 #[test]
 fn the_options_it_lists_are_those_of_the_command() {
-    let output = Command::cargo_bin("scn").unwrap().args(["render", "--help"]).output().unwrap();
+    let output =
+        Command::new(env!("CARGO_BIN_EXE_scn")).args(["render", "--help"]).output().unwrap();
     let help = String::from_utf8(output.stdout).unwrap();
     let options = |text: &str| -> Vec<String> {
         let name = |rest: &str| -> String {

@@ -47,9 +47,19 @@ pub fn notes(comparison: &Comparison) -> Vec<String> {
             continue;
         }
         if both("scn:hash").is_some_and(|(x, y)| x != y) {
-            notes.push(format!(
-                "{a} and {b} are of different scenes, or of one that was changed between them."
-            ));
+            let same_file = both("scn:scene").filter(|(x, y)| x == y);
+            let renders = both("scn:render").filter(|(x, y)| x != y);
+            notes.push(match same_file.zip(renders) {
+                Some(((file, _), (x, y))) => format!(
+                    "{a} and {b} are other renders of the same file, {}: {} and {}.",
+                    harmless(file),
+                    harmless(x),
+                    harmless(y),
+                ),
+                None => format!(
+                    "{a} and {b} are of different scenes, or of one that was changed between them."
+                ),
+            });
         } else if input.radiance == reference.radiance
             && both("scn:seed").is_some_and(|(x, y)| x == y)
         {
