@@ -1,13 +1,13 @@
 //! `scn list`: the words of the language, from the schema alone.
 
 mod entries;
+mod own;
 mod types;
 
 use super::near::{either, near};
 use super::options::List;
 use super::{End, terminal};
 use crate::diag::print::Look;
-use crate::math::units::UNITS;
 use crate::scene::KINDS;
 use crate::scene::schema::{Kind, Record, Type};
 use entries::{Entry, entries};
@@ -17,18 +17,29 @@ const FIELD_MARGIN: usize = 6;
 
 pub fn run(options: &List) -> End {
     let look = terminal::stdout_look();
-    let text = match options.word.as_deref() {
-        None => kinds(look),
-        Some("units" | "unit") => units(look),
-        Some(word) => match word_page(word, look) {
+    let words: Vec<&str> = options.words.iter().flat_map(|words| words.split([' ', '.'])).collect();
+    let text = match words.as_slice() {
+        [] => kinds(look),
+        ["units" | "unit"] => own::units(look),
+        ["keywords" | "keyword"] => own::keywords(look),
+        ["functions" | "function"] => own::functions(look),
+        [places @ .., word] => match word_page(word, places, look) {
             Some(page) => page,
             None => {
                 let all: Vec<_> = entries().into_iter().map(|entry| entry.word()).collect();
-                let hint = match near(word, all).as_slice() {
-                    [] => "`scn list` shows the kinds it has".to_string(),
-                    words => format!("did you mean {}?", either(words)),
+                let fault = if !places.is_empty() && word_page(word, &[], look).is_some() {
+                    format!(
+                        "there is no `{word}` in `{}`; `scn list {word}` tells where it stands",
+                        places.join(" ")
+                    )
+                } else {
+                    let hint = match near(word, all.into_iter().chain(own::words())).as_slice() {
+                        [] => "`scn list` shows the words it has".to_string(),
+                        words => format!("did you mean {}?", either(words)),
+                    };
+                    format!("the language has no word `{word}`; {hint}")
                 };
-                terminal::fail(&format!("the language has no word `{word}`; {hint}"));
+                terminal::fail(&fault);
                 return End::NotDone;
             }
         },
@@ -41,7 +52,7 @@ pub fn run(options: &List) -> End {
 fn kinds(look: Look) -> String {
     let mut text = String::from(
         "Kinds of items. `scn list KIND` shows one whole; any word will do, such as `scn list \
-         diffuse`.\n`scn list units` shows the units.\n",
+         diffuse`.\n",
     );
     let name =
         |kind: &Kind| if kind.named { format!("{} NAME", kind.word) } else { kind.word.into() };
@@ -60,7 +71,7 @@ fn kinds(look: Look) -> String {
                 let choices = format!("variants: {}", words.join(", "));
                 text.push_str(&block(&choices, &margin, look));
             }
-            match kind.default.map(types::tidy) {
+            match kind.default.map(types::tidy).as_deref() {
                 Some("{}") => {}
                 Some(default) => text.push_str(&format!("{margin}default: {default}\n")),
                 None if !kind.named => text.push_str(&format!("{margin}must be given\n")),
@@ -68,12 +79,18 @@ fn kinds(look: Look) -> String {
             }
         }
     }
-    text
+    text + &own::overview(look)
 }
 
-/// Everything the word means; None if it means nothing.
-fn word_page(word: &str, look: Look) -> Option<String> {
-    let mut found: Vec<Entry> = entries().into_iter().filter(|e| e.word() == word).collect();
+/// Everything the word means in these places, from the outermost in; None if it means nothing.
+fn word_page(word: &str, places: &[&str], look: Look) -> Option<String> {
+    let inside = |entry: &Entry| {
+        let path = entry.path();
+        let mut steps = path.split([' ', '.', ':']);
+        places.iter().all(|place| steps.any(|step| step == *place))
+    };
+    let mut found: Vec<Entry> =
+        entries().into_iter().filter(|e| e.word() == word && inside(e)).collect();
     // A kind tells everything; below it, whole records say more than single fields.
     if let Some(at) = found.iter().position(|entry| matches!(entry, Entry::Kind(_))) {
         found.swap(0, at);
@@ -82,7 +99,10 @@ fn word_page(word: &str, look: Look) -> Option<String> {
     if found.iter().any(|entry| matches!(entry, Entry::Choice { .. })) {
         found.retain(|entry| !matches!(entry, Entry::Field { .. }));
     }
-    let pages: Vec<String> = found.iter().map(|entry| page(entry, look)).collect();
+    let mut pages: Vec<String> = found.iter().map(|entry| page(entry, look)).collect();
+    if places.is_empty() {
+        pages.extend(own::page(word, look));
+    }
     (!pages.is_empty()).then(|| pages.join("\n"))
 }
 
@@ -99,7 +119,7 @@ fn page(entry: &Entry, look: Look) -> String {
             };
             let name = if kind.named { " NAME" } else { "" };
             let mut text = heading(&format!("{}{name}: {form}", kind.word), kind.doc);
-            if let Some(default) = kind.default.map(types::tidy).filter(|d| *d != "{}") {
+            if let Some(default) = kind.default.map(types::tidy).filter(|d| d != "{}") {
                 text.push_str(&format!("  default: {default}\n"));
             }
             text + &inside(kind.ty, look)
@@ -145,20 +165,6 @@ fn fields(record: &Record, look: Look) -> String {
     record.fields.iter().map(|field| types::field(field, width, look)).collect()
 }
 
-fn units(look: Look) -> String {
-    let mut text = String::from("Units. A unit follows its number: `550 mm`, `9 W/m^2/sr`.\n\n");
-    let mut rest = UNITS;
-    while let Some(first) = rest.first() {
-        let same = rest.iter().take_while(|unit| unit.dimension == first.dimension).count();
-        let words: Vec<_> = rest[..same].iter().map(|unit| unit.word).collect();
-        let what = first.dimension.name();
-        let what = what.trim_start_matches("an ").trim_start_matches("a ");
-        text.push_str(&format!("  {}  {what}\n", strong(&words.join(" "), 20, look)));
-        rest = &rest[same..];
-    }
-    text
-}
-
 /// A doc comment as one paragraph.
 fn flow(doc: &str) -> String {
     doc.split_whitespace().collect::<Vec<_>>().join(" ")
@@ -186,23 +192,52 @@ mod tests {
         let all = entries();
         assert!(all.len() > 60, "{}", all.len());
         for entry in all {
-            let page = word_page(entry.word(), Look::PLAIN).unwrap();
+            let page = word_page(entry.word(), &[], Look::PLAIN).unwrap();
             assert!(page.contains(entry.word()), "{page}");
             assert!(page.lines().all(|line| line.chars().count() <= 100), "{page}");
         }
-        assert_eq!(word_page("glowing", Look::PLAIN), None);
+        assert_eq!(word_page("glowing", &[], Look::PLAIN), None);
     }
 
     #[test]
     fn a_page_tells_type_unit_range_and_default() {
-        let page = word_page("diffuse", Look::PLAIN).unwrap();
+        let page = word_page("diffuse", &[], Look::PLAIN).unwrap();
         for part in ["albedo", "number or colour", "0 or more", "must be given", "W/m^2/sr"] {
             assert!(page.contains(part), "{part} is not in\n{page}");
         }
-        let page = word_page("fov_y", Look::PLAIN).unwrap();
+        let page = word_page("fov_y", &[], Look::PLAIN).unwrap();
         assert!(page.contains("above 0, below 180 deg"), "{page}");
-        let page = word_page("center", Look::PLAIN).unwrap();
+        let page = word_page("center", &[], Look::PLAIN).unwrap();
         assert!(page.contains("integrator direct.area_lights"), "{page}");
         assert!(page.contains("object sphere.center"), "{page}");
+    }
+
+    #[test]
+    fn every_word_of_the_language_itself_has_a_page() {
+        let overview = kinds(Look::PLAIN) + &own::units(Look::PLAIN);
+        for word in own::words() {
+            let page = word_page(word, &[], Look::PLAIN).unwrap();
+            assert!(page.contains(word) && page.lines().count() >= 2, "{page}");
+            assert!(overview.split_whitespace().any(|shown| shown == word), "{word}\n{overview}");
+        }
+        let page = word_page("rotate", &[], Look::PLAIN).unwrap();
+        assert!(page.starts_with("rotate(axis, angle)\n"), "{page}");
+        let page = word_page("cm", &[], Look::PLAIN).unwrap();
+        assert!(page.contains("a length. 1 cm is 0.01 m."), "{page}");
+    }
+
+    #[test]
+    fn words_before_a_word_say_where_it_stands() {
+        let page = word_page("radius", &["object", "sphere"], Look::PLAIN).unwrap();
+        assert!(page.contains("object sphere.radius") && !page.contains("disk"), "{page}");
+        assert!(word_page("sphere", &["object"], Look::PLAIN).is_some());
+        assert_eq!(word_page("sphere", &["camera"], Look::PLAIN), None);
+    }
+
+    #[test]
+    fn defaults_are_shown_with_six_digits() {
+        let page = word_page("fov_y", &["overview"], Look::PLAIN).unwrap();
+        assert!(page.contains("default 53.1301 deg"), "{page}");
+        assert_eq!(types::tidy("(512, 0.25) m"), "(512, 0.25) m");
     }
 }

@@ -55,16 +55,16 @@ pub struct Render {
     #[arg(short, long, value_name = "DIR | FILE.exr | FILE.png")]
     pub output: Option<PathBuf>,
     /// Samples of each pixel, in place of what the scene says
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_SAMPLES))]
+    #[arg(long, value_name = "N", value_parser = samples, allow_negative_numbers = true)]
     pub samples: Option<u64>,
     /// Chooses all random numbers; the same seed gives the same picture
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
     pub seed: u64,
     /// Threads to compute with; one for each processor without it. Changes no bit of the picture
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_THREADS))]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<u64>,
     /// Factor on the picture's width and height
-    #[arg(long, value_name = "F", default_value_t = 1.0, value_parser = scale)]
+    #[arg(long, value_name = "F", default_value_t = 1.0, value_parser = scale, allow_negative_numbers = true)]
     pub scale: f64,
     /// Render these pixels alone: columns x0 to x1, rows y0 to y1 from the top, ends not included;
     /// in pixels of the scaled picture
@@ -113,6 +113,23 @@ const MAX_THREADS: u64 = 4096;
 /// The language allows no picture wider than this, so no larger factor is of use.
 const MAX_SCALE: f64 = 65_536.0;
 
+fn samples(text: &str) -> Result<u64, String> {
+    whole(text, 1, MAX_SAMPLES)
+}
+
+fn threads(text: &str) -> Result<u64, String> {
+    whole(text, 1, MAX_THREADS)
+}
+
+fn seed(text: &str) -> Result<u64, String> {
+    whole(text, 0, u64::MAX)
+}
+
+fn whole(text: &str, least: u64, most: u64) -> Result<u64, String> {
+    let number = text.parse().ok().filter(|number| (least..=most).contains(number));
+    number.ok_or_else(|| format!("write a whole number from {least} to {most}"))
+}
+
 fn scale(text: &str) -> Result<f64, String> {
     let factor: f64 = text.parse().map_err(|_| "write a number, such as 0.5".to_string())?;
     if factor > 0.0 && factor <= MAX_SCALE {
@@ -157,11 +174,13 @@ pub struct Explain {
 Examples:
   scn list             every kind of item, and its variants
   scn list light       all lights, with their fields
-  scn list diffuse     one of them; any word of the language will do")]
+  scn list diffuse     one of them; any word of the language will do
+  scn list functions   what can be called; `units` and `keywords` likewise")]
 pub struct List {
-    /// A word: a kind (camera, material …), a variant (diffuse …) or a field (albedo …)
-    #[arg(value_name = "KIND")]
-    pub word: Option<String>,
+    /// A word: a kind (camera …), a variant (diffuse …), a field (albedo …), a keyword (render …), a
+    /// function or a unit; words before it say where it stands
+    #[arg(value_name = "WORD")]
+    pub words: Vec<String>,
 }
 
 #[cfg(test)]
@@ -181,9 +200,13 @@ mod tests {
     #[test]
     fn numbers_out_of_range_are_refused_with_their_range() {
         for (arguments, words) in [
-            ("--threads 0", "0 is not in 1..=4096"),
-            ("--samples 0", "0 is not in 1..="),
-            ("--samples -1", "unexpected argument '-1'"),
+            ("--threads 0", "write a whole number from 1 to 4096"),
+            ("--samples 0", "write a whole number from 1 to 4294967296"),
+            ("--samples -3", "write a whole number from 1 to"),
+            ("--samples 2.5", "write a whole number from 1 to"),
+            ("--threads -1", "write a whole number from 1 to"),
+            ("--seed -1", "write a whole number from 0 to"),
+            ("--scale -1", "the factor must be above 0"),
             ("--scale 0", "the factor must be above 0"),
             ("--scale nan", "the factor must be above 0"),
             ("--scale big", "write a number, such as 0.5"),
@@ -191,7 +214,7 @@ mod tests {
             ("--crop 64,0,64,64", "x0 must be less than x1"),
             ("--crop 0,9,64,8", "y0 must be less than y1"),
             ("--crop a,b,c,d", "write four whole numbers"),
-            ("--seed 18446744073709551616", "too large"),
+            ("--seed 18446744073709551616", "from 0 to 18446744073709551615"),
             ("--log xml", "possible values: human, json"),
         ] {
             let told = parsed(&format!("scn render a.scn {arguments}")).unwrap_err();

@@ -7,23 +7,26 @@ use super::check;
 use super::errors::types;
 use super::eval::Evaluator;
 use super::value::{Value, ValueKind};
+use super::words::FUNCTIONS;
 use crate::diag::Span;
 use crate::math::srgb;
 use crate::math::units::Dimension;
 use crate::scene::Step;
 
 /// Their names.
-pub const ALL: &[&str] = &["move", "rgb", "rotate", "scale", "srgb"];
+pub const ALL: &[&str] = &{
+    let mut all = [""; FUNCTIONS.len()];
+    let mut i = 0;
+    while i < all.len() {
+        all[i] = FUNCTIONS[i].word;
+        i += 1;
+    }
+    all
+};
 
 /// Calls one; None if there is none of that name.
 pub fn call(ev: &Evaluator, word: &Word, values: Vec<Value>, span: Span) -> Option<Value> {
-    let params: &[&[&str]] = match &*word.text {
-        "rgb" | "srgb" => &[&["red", "green", "blue"]],
-        "scale" => &[&["factor"], &["x", "y", "z"]],
-        "rotate" => &[&["axis", "angle"]],
-        "move" => &[&["x", "y", "z"], &["vector"]],
-        _ => return None,
-    };
+    let params = FUNCTIONS.iter().find(|function| function.word == &*word.text)?.params;
     if values.iter().any(Value::is_broken) {
         return Some(Value::broken(span));
     }

@@ -19,6 +19,7 @@ mod resolve;
 mod scan;
 mod unused;
 mod value;
+pub mod words;
 
 use std::collections::HashSet;
 use std::path::Path;

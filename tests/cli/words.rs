@@ -49,5 +49,11 @@ fn words_of_the_language_are_listed() {
     assert!(bench.run("list overview").well().stdout.contains("may be cut off"));
     assert!(bench.run("list mitchell").well().stdout.contains("0.56 / sqrt(samples)"));
     assert!(bench.run("list units").well().stdout.contains("W mW kW"));
+    for words in
+        ["render", "setup", "functions", "keywords", "rotate", "pi", "deg", "object sphere"]
+    {
+        bench.run(&format!("list {words}")).well();
+    }
+    bench.run("list camera sphere").ends(2).says("no `sphere` in `camera`");
     bench.run("list difuse").ends(2).says("no word `difuse`; did you mean `diffuse`");
 }

@@ -29,6 +29,19 @@ impl Entry {
     }
 }
 
+impl Entry {
+    /// Where it stands, itself last.
+    pub fn path(&self) -> String {
+        match self {
+            Self::Kind(kind) => kind.word.to_string(),
+            Self::Choice { path, .. }
+            | Self::Variant { path, .. }
+            | Self::Field { path, .. }
+            | Self::Word { path, .. } => path.clone(),
+        }
+    }
+}
+
 /// All of them, in the order of the schema.
 pub fn entries() -> Vec<Entry> {
     let mut found = Vec::new();

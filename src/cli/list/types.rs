@@ -81,10 +81,18 @@ fn range(field: &Field) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join(", "))
 }
 
-/// A default as a person would write it: no empty braces after a word.
-pub fn tidy(default: &str) -> &str {
-    match default.strip_suffix(" {}") {
+/// A default as a person would write it: no empty braces after a word, no more than six digits.
+pub fn tidy(default: &str) -> String {
+    let word = match default.strip_suffix(" {}") {
         Some(word) if !word.is_empty() => word,
         _ => default,
-    }
+    };
+    let rounded = word.split(' ').map(|part| match part.parse::<f64>() {
+        Ok(x) if part.len() > 8 => {
+            let whole = x.abs().log10().floor().max(-1.0) as i32 + 1;
+            format!("{x:.*}", (6 - whole).max(0) as usize)
+        }
+        _ => part.to_string(),
+    });
+    rounded.collect::<Vec<_>>().join(" ")
 }

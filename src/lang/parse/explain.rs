@@ -7,6 +7,7 @@ use super::build::Builder;
 use super::{Grammar, Pair, Rule, stopped};
 use crate::diag::{Diagnostic, FileId, Span};
 use crate::lang::errors::syntax;
+use crate::lang::words::is_keyword;
 
 /// Tells of an item, which begins at byte `start` of the source.
 pub fn item(builder: &Builder, text: &str, start: usize) -> Diagnostic {
@@ -129,12 +130,6 @@ fn innermost(text: &str) -> Option<char> {
         }
     }
     open.pop()
-}
-
-fn is_keyword(word: &str) -> bool {
-    const ALL: [&str; 10] =
-        ["use", "let", "for", "in", "to", "step", "setup", "render", "without", "with"];
-    ALL.contains(&word)
 }
 
 fn starts_with_keyword(text: &str) -> bool {
