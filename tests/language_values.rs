@@ -217,3 +217,15 @@ fn every_default_is_right_and_every_place_is_in_a_text() {
     assert!(overview.up.span.file.0 < sources);
     assert_eq!(overview.look.0.to_array(), [0.0, 0.0, -1.0]);
 }
+
+#[test]
+fn work_ends_where_its_limit_is_reached() {
+    // Ten thousand renders of two thousand objects: told after the first renders, not the last.
+    let text = "scn 1 in m\nintegrator: preview\nmaterial clay: diffuse { albedo: 1 }\n\
+        for i in 1 to 2000 { object \"o{i}\": sphere { center: (i, 0, 0), radius: 1 m, material: clay } }\n\
+        for i in 1 to 10000 { render \"a{i}\" {} }\n";
+    let (compiled, _) = compile(text);
+    let codes: Vec<_> = compiled.diagnostics.iter().map(|told| told.code).collect();
+    assert_eq!(codes, [Code::RENDER_TOO_MUCH]);
+    assert!(compiled.renders.len() < 1000, "{}", compiled.renders.len());
+}

@@ -4,7 +4,7 @@
 //! and a ```scn-ok block with the mend.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use scn::diag::{self, CODES, Diagnostic, Level, Sources};
 use scn::lang::{self, Library};
@@ -17,6 +17,10 @@ struct Disk;
 impl Library for Disk {
     fn read(&self, path: &Path) -> Result<String, String> {
         scn::files::text::read(path).map_err(|failure| failure.to_string())
+    }
+
+    fn identity(&self, path: &Path) -> PathBuf {
+        scn::files::regular::identity(path)
     }
 }
 

@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::options::Form;
 use super::terminal;
 use super::words::{counted, duration, grouped, rate, size};
+use crate::diag::harmless_text;
 
 /// Something that happened. Times are in seconds, sizes in bytes.
 #[derive(Debug, Serialize)]
@@ -93,7 +94,7 @@ impl Log {
             return;
         }
         let text = match self.form {
-            Form::Human => human(event),
+            Form::Human => harmless_text(&human(event)),
             Form::Json => {
                 let line = serde_json::to_string(event).expect("words and numbers are JSON");
                 format!("{line}\n")

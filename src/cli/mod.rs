@@ -55,11 +55,13 @@ pub fn main() -> ExitCode {
     let options = match options::Options::try_parse() {
         Ok(options) => options,
         Err(message) => {
-            // Help and version are no faults; clap sends them to stdout. A closed pipe is none
-            // either.
-            let end = if message.use_stderr() { End::NotDone } else { End::Well };
-            let _ = message.print();
-            return end.into();
+            // Help and version are no faults; clap sends them to stdout.
+            let printed = message.print();
+            if message.use_stderr() {
+                return End::NotDone.into();
+            }
+            terminal::note(printed);
+            return said(End::Well).into();
         }
     };
     let end = match options.command {
@@ -69,5 +71,16 @@ pub fn main() -> ExitCode {
         options::Command::Explain(options) => explain::run(&options),
         options::Command::List(options) => list::run(&options),
     };
-    end.into()
+    said(end).into()
+}
+
+/// What was asked for goes to stdout: if it did not get there, the work is not done.
+fn said(end: End) -> End {
+    match terminal::lost() {
+        Some(why) if end == End::Well => {
+            terminal::fail(&format!("the output could not be written: {why}"));
+            End::NotDone
+        }
+        _ => end,
+    }
 }

@@ -6,7 +6,7 @@ use super::near::{either, near};
 use super::options::{Form, Render};
 use super::output::Output;
 use super::{End, picture, scene_file, stop, terminal, whose};
-use crate::diag::{self, Diagnostic, Level, Sources};
+use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
 use crate::load::{Loader, Stage};
 use crate::prepare;
 use crate::render::film::Film;
@@ -64,6 +64,9 @@ impl<'a> Session<'a> {
         let compiled =
             scene_file::compile(&options.file, &options.set, &options.only, &mut self.sources)
                 .ok_or(End::NotDone)?;
+        if stop::asked() {
+            return Err(End::Interrupted);
+        }
         if compiled.diagnostics.iter().any(|d| d.level == Level::Error) {
             self.tell(compiled.diagnostics);
             return Err(End::SceneErrors);
@@ -153,15 +156,12 @@ impl<'a> Session<'a> {
         let known: Vec<_> = checked.iter().flat_map(|(_, faults)| faults).cloned().collect();
         found.extend(whose::told(checked));
         let faulty = found.iter().any(|diagnostic| diagnostic.level == Level::Error);
+        if stop::asked() {
+            return Err(End::Interrupted);
+        }
         self.tell(found);
         self.told.extend(known);
-        if stop::asked() {
-            Err(End::Interrupted)
-        } else if faulty {
-            Err(End::SceneErrors)
-        } else {
-            Ok(ready)
-        }
+        if faulty { Err(End::SceneErrors) } else { Ok(ready) }
     }
 
     fn settings(&self) -> prepare::Settings {
@@ -253,6 +253,7 @@ impl<'a> Session<'a> {
         });
         for text in picture::remarks(&outcome, &prepared.objects) {
             if !self.options.quiet {
+                let text = harmless_text(&text);
                 terminal::tell(&format!("warning: render `{name}`: {text}\n"));
             }
             self.log.tell(&Event::Remark { render: name.clone(), text });

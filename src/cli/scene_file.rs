@@ -15,6 +15,10 @@ impl Library for Disk {
     fn read(&self, path: &Path) -> Result<String, String> {
         files::text::read(path).map_err(|failure| failure.to_string())
     }
+
+    fn identity(&self, path: &Path) -> PathBuf {
+        files::regular::identity(path)
+    }
 }
 
 /// Reads and compiles a scene file, with the arguments of `--set` and of `--only`. None if it

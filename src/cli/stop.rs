@@ -20,7 +20,7 @@ pub fn listen(quiet: bool) {
             std::process::exit(i32::from(INTERRUPTED));
         }
         if !quiet {
-            terminal::tell("\nStopping, and writing what is done; once more ends at once.\n");
+            terminal::tell("\nStopping, and keeping what is done; once more ends at once.\n");
         }
     });
     // Without a handler the system ends the process at Ctrl-C, and files are whole all the same.

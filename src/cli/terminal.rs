@@ -1,7 +1,9 @@
 //! The two streams: what they can show, and writing to them without minding a closed pipe.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::sync::OnceLock;
 
+use crate::diag::harmless_text;
 use crate::diag::print::Look;
 
 /// How things look on stderr.
@@ -37,10 +39,27 @@ fn look(terminal: bool, size: Option<Size>, variable: &dyn Fn(&str) -> Option<St
     Look { colour: !dumb && set("NO_COLOR").is_none(), unicode: !dumb && !ascii, width }
 }
 
-/// Writes to stdout. A reader that has gone away has seen enough.
+/// Why stdout did not take all that was written to it.
+static LOST: OnceLock<String> = OnceLock::new();
+
+/// Writes to stdout; [`lost`] tells whether that went well.
 pub fn say(text: &str) {
     let mut stream = io::stdout().lock();
-    let _ = stream.write_all(text.as_bytes()).and_then(|()| stream.flush());
+    note(stream.write_all(text.as_bytes()).and_then(|()| stream.flush()));
+}
+
+/// Remembers why stdout did not take a text. A reader that has gone away has seen enough.
+pub fn note(written: io::Result<()>) {
+    if let Err(error) = written
+        && error.kind() != ErrorKind::BrokenPipe
+    {
+        LOST.get_or_init(|| error.to_string());
+    }
+}
+
+/// Why stdout did not take all that was written to it, if it did not.
+pub fn lost() -> Option<&'static str> {
+    LOST.get().map(String::as_str)
 }
 
 /// Writes to stderr.
@@ -51,7 +70,7 @@ pub fn tell(text: &str) {
 /// Tells why the tool cannot do its work: "error: …".
 pub fn fail(text: &str) {
     let mark = if stderr_look().colour { "\x1b[31merror:\x1b[0m" } else { "error:" };
-    tell(&format!("{mark} {text}\n"));
+    tell(&format!("{mark} {}\n", harmless_text(text)));
 }
 
 #[cfg(test)]

@@ -199,6 +199,12 @@ fn place(span: super::Span, lines: &mut Lines<'_>) -> Place {
     Place { file: span.file, start, end, first, last }
 }
 
+/// A text with control characters made visible: it moves no cursor and turns no text around.
+/// Newlines stay.
+pub fn harmless_text(text: &str) -> String {
+    text.chars().map(|c| if c == '\n' { c } else { harmless(c) }).collect()
+}
+
 /// A character that moves no cursor and turns no text around.
 fn harmless(c: char) -> char {
     match c {

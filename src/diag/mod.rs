@@ -16,6 +16,7 @@ mod span;
 
 pub use code::{CODES, Code, find};
 pub use diagnostic::{Diagnostic, Edit, Label, Level, Mend};
+pub use excerpt::harmless_text;
 pub use order::{count, in_order, tally};
 pub use sources::{Source, Sources};
 pub use span::{FileId, Span};

@@ -100,6 +100,11 @@ impl Evaluator {
         env.0.names.borrow_mut().insert(name.text.clone(), binding);
     }
 
+    /// Whether the limit of work is reached: nothing is worth going on for.
+    pub fn spent(&self) -> bool {
+        self.items.get() >= limits::ITEMS
+    }
+
     /// Counts a piece of work; false once the limit is reached.
     pub fn spend(&self, span: Span) -> bool {
         self.items.set(self.items.get() + 1);

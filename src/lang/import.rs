@@ -1,6 +1,6 @@
 //! `use`: the files of a scene, each read once.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use super::ast::{File, Item, Word};
 use super::errors::import;
@@ -17,6 +17,7 @@ pub struct Unit {
     /// The files it uses, directly or through others, itself included.
     pub reach: Vec<usize>,
     path: PathBuf,
+    identity: PathBuf,
     uses: Vec<(usize, Word)>,
 }
 
@@ -28,7 +29,8 @@ pub fn gather(
     sources: &mut Sources,
     ev: &mut Evaluator,
 ) -> Vec<Unit> {
-    let mut units = vec![read(path.to_path_buf(), text, sources, ev)];
+    let identity = library.identity(path);
+    let mut units = vec![read(path.to_path_buf(), identity, text, sources, ev)];
     let mut at = 0;
     while at < units.len() {
         let wanted = units[at].tree.items.iter().filter_map(|item| match item {
@@ -37,8 +39,9 @@ pub fn gather(
         });
         for name in wanted.collect::<Vec<_>>() {
             let folder = units[at].path.parent().unwrap_or(Path::new("")).to_path_buf();
-            let path = tidy(&folder.join(&*name.text));
-            let known = units.iter().position(|unit| tidy(&unit.path) == path);
+            let path = folder.join(&*name.text);
+            let identity = library.identity(&path);
+            let known = units.iter().position(|unit| unit.identity == identity);
             if let Some(known) = known {
                 units[at].uses.push((known, name));
                 continue;
@@ -50,7 +53,7 @@ pub fn gather(
             }
             match library.read(&path) {
                 Ok(text) => {
-                    units.push(read(path, &text, sources, ev));
+                    units.push(read(path, identity, &text, sources, ev));
                     let new = units.len() - 1;
                     units[at].uses.push((new, name));
                 }
@@ -70,7 +73,13 @@ pub fn gather(
     units
 }
 
-fn read(path: PathBuf, text: &str, sources: &mut Sources, ev: &mut Evaluator) -> Unit {
+fn read(
+    path: PathBuf,
+    identity: PathBuf,
+    text: &str,
+    sources: &mut Sources,
+    ev: &mut Evaluator,
+) -> Unit {
     let id = sources.add(path.to_string_lossy(), text);
     let parsed = parse::file(text, id);
     ev.reports.tell_text(parsed.diagnostics);
@@ -79,23 +88,7 @@ fn read(path: PathBuf, text: &str, sources: &mut Sources, ev: &mut Evaluator) ->
     let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
     let first_line = parsed.tree.first_line;
     ev.add_file(id, FileFacts { folder, unit: parsed.tree.unit, first_line });
-    Unit { id, tree: parsed.tree, reach: Vec::new(), path, uses: Vec::new() }
-}
-
-/// Without `.` and `folder/..`, so that one file has one path.
-fn tidy(path: &Path) -> PathBuf {
-    let mut tidied = PathBuf::new();
-    for part in path.components() {
-        let climbs = matches!(tidied.components().next_back(), Some(Component::Normal(_)));
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir if climbs => {
-                tidied.pop();
-            }
-            other => tidied.push(other),
-        }
-    }
-    tidied
+    Unit { id, tree: parsed.tree, reach: Vec::new(), path, identity, uses: Vec::new() }
 }
 
 fn reach(units: &[Unit], start: usize) -> Vec<usize> {

@@ -22,7 +22,7 @@ mod value;
 pub mod words;
 
 use std::collections::HashSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::{Diagnostic, FileId, Sources, Span};
@@ -37,6 +37,9 @@ use resolve::{Plan, TOP};
 pub trait Library {
     /// The text of a scene file, or why it cannot be had (one clause).
     fn read(&self, path: &Path) -> Result<String, String>;
+
+    /// One and the same for every path to a file.
+    fn identity(&self, path: &Path) -> PathBuf;
 }
 
 /// What a scene file says.
@@ -155,6 +158,9 @@ fn check_renders(
     let mut renders = Vec::new();
     let mut missing = Vec::new();
     for (i, (name, scope)) in plan.renders.iter().enumerate() {
+        if ev.spent() {
+            break;
+        }
         let before = ev.reports.errors();
         composer.sets = if only.is_empty() || only.contains(&name.value) { sets } else { &[] };
         let declared = composer.compose(*scope, &mut used);
@@ -166,7 +172,7 @@ fn check_renders(
     }
     composer.lenient = true;
     for (i, scope) in plan.scopes.iter().enumerate() {
-        if scope.actions.iter().any(|action| !used.contains(&action.path)) {
+        if !ev.spent() && scope.actions.iter().any(|action| !used.contains(&action.path)) {
             let declared = composer.compose(i, &mut HashSet::new());
             lower::lower(ev, &declared, scope.span, Some(main));
         }

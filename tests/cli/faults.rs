@@ -187,3 +187,41 @@ fn a_file_that_only_defines_things_has_no_picture() {
     assert_eq!(run.stdout, "");
     bench.run("lint lib.scn").well();
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_was_asked_for_and_could_not_be_written_is_not_done() {
+    let bench = Bench::new();
+    for arguments in ["lint ball.scn", "list", "explain", "--help", "render ball.scn --log json"] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let run = bench.command(arguments).stdout(full).output().unwrap();
+        assert_eq!(run.status.code(), Some(2), "{arguments}");
+        assert!(String::from_utf8_lossy(&run.stderr).contains("could not be written"));
+    }
+}
+
+#[test]
+fn control_characters_in_arguments_are_shown_not_obeyed() {
+    let bench = Bench::new();
+    let run = bench.command("render").arg("\u{1b}[31mred.scn").output().unwrap();
+    let told = String::from_utf8_lossy(&run.stderr);
+    assert!(!told.contains('\u{1b}') && told.contains("\u{241b}[31mred.scn"), "{told}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_is_used_where_the_disk_says_it_is_and_once() {
+    let bench = Bench::new();
+    std::fs::create_dir_all(bench.path("other/deep")).unwrap();
+    std::os::unix::fs::symlink("other/deep", bench.path("link")).unwrap();
+    bench.put("other/lib.scn", "scn 1 in m\nlet which = 5\n");
+    bench.put("lib.scn", "scn 1 in m\nlet which = 7\n");
+    bench.put(
+        "same.scn",
+        format!(
+            "{BALL}\nuse \"link/../lib.scn\"\nuse \"other/lib.scn\"\nrender \"w_{{which}}\" {{}}\n"
+        ),
+    );
+    bench.run("lint same.scn").ends(0);
+    bench.run("render same.scn --only w_5 -o a.png").ends(0);
+}

@@ -35,7 +35,7 @@ fn stopped(bench: &Bench, signals: &[&str]) -> Vec<serde_json::Value> {
     let mut said = String::new();
     child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(130), "{said}");
-    assert!(said.contains("writing what is done"), "{said}");
+    assert!(said.contains("keeping what is done"), "{said}");
     events
 }
 

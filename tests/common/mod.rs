@@ -2,7 +2,7 @@
 #![allow(dead_code)]
 
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use scn::diag::{Diagnostic, Sources};
 use scn::lang::{self, Compiled, Library};
@@ -14,6 +14,10 @@ impl Library for Disk {
     fn read(&self, path: &Path) -> Result<String, String> {
         std::fs::read_to_string(path).map_err(|_| "does not exist".to_string())
     }
+
+    fn identity(&self, path: &Path) -> PathBuf {
+        scn::files::regular::identity(path)
+    }
 }
 
 /// No files but the one given.
@@ -22,6 +26,10 @@ pub struct Nothing;
 impl Library for Nothing {
     fn read(&self, _: &Path) -> Result<String, String> {
         Err("does not exist".to_string())
+    }
+
+    fn identity(&self, path: &Path) -> PathBuf {
+        path.to_path_buf()
     }
 }
 

@@ -31,6 +31,10 @@ impl Library for Disk {
     fn read(&self, path: &Path) -> Result<String, String> {
         scn::files::text::read(path).map_err(|failure| failure.to_string())
     }
+
+    fn identity(&self, path: &Path) -> PathBuf {
+        scn::files::regular::identity(path)
+    }
 }
 
 /// The renders of a text that stands in `path`, each compiled, loaded and checked; or the report
