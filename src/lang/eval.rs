@@ -1,7 +1,7 @@
 //! Expressions → values. Pure; names are looked up where an expression was written.
 
 use std::cell::{Cell, RefCell};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -32,6 +32,8 @@ pub struct Evaluator {
     /// Where faults are told.
     pub reports: Reports,
     files: HashMap<FileId, FileFacts>,
+    /// Files whose missing unit was told.
+    unitless: RefCell<HashSet<FileId>>,
     frames: RefCell<Vec<Rc<Frame>>>,
     items: Cell<usize>,
     depth: Cell<usize>,
@@ -62,7 +64,11 @@ impl Evaluator {
     /// Metres of a bare coordinate in a file; tells if its first line does not say.
     pub fn unit(&self, file: FileId, span: Span) -> Option<f64> {
         let facts = self.files.get(&file)?;
-        if facts.unit.is_none() {
+        // Once a file; a first line that is not there was told.
+        if facts.unit.is_none()
+            && facts.first_line.is_some()
+            && self.unitless.borrow_mut().insert(file)
+        {
             self.reports.tell(types::no_file_unit(span, facts.first_line));
         }
         facts.unit

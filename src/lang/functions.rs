@@ -6,7 +6,7 @@ use super::ast::Word;
 use super::check;
 use super::errors::types;
 use super::eval::Evaluator;
-use super::value::{Value, ValueKind};
+use super::value::{Value, ValueKind, neat};
 use super::words::FUNCTIONS;
 use crate::diag::Span;
 use crate::math::srgb;
@@ -59,6 +59,18 @@ fn colour(ev: &Evaluator, values: &[Value], decode: impl Fn(f64) -> f64) -> Opti
 }
 
 fn scale(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
+    if let [Value { kind: ValueKind::Vector { components, .. }, span }] = values {
+        let plain: Option<Vec<_>> = components
+            .iter()
+            .map(|component| match component.kind {
+                ValueKind::Number { value, .. } => Some(neat(value).to_string()),
+                _ => None,
+            })
+            .collect();
+        let components = plain.unwrap_or_else(|| ["x", "y", "z"].map(String::from).to_vec());
+        ev.reports.tell(types::vector_as_arguments("scale", &components.join(", "), *span));
+        return None;
+    }
     let factors = match values {
         [one] => DVec3::splat(numbers::<1>(ev, "a factor", std::slice::from_ref(one))?[0]),
         _ => DVec3::from_array(numbers::<3>(ev, "a factor", values)?),

@@ -6,7 +6,7 @@ use super::ast::{File, Item, Word};
 use super::errors::import;
 use super::eval::{Evaluator, FileFacts};
 use super::{Library, limits, parse};
-use crate::diag::{FileId, Sources, Span};
+use crate::diag::{Code, FileId, Sources, Span};
 
 /// A file of the scene.
 pub struct Unit {
@@ -82,11 +82,13 @@ fn read(
 ) -> Unit {
     let id = sources.add(path.to_string_lossy(), text);
     let parsed = parse::file(text, id);
+    // A unit that could not be read is not missing as well.
+    let unreadable = parsed.diagnostics.iter().any(|told| told.code == Code::SYNTAX_FILE_UNIT);
     ev.reports.tell_text(parsed.diagnostics);
     ev.reports.mute(parsed.muted);
     ev.reports.poison(parsed.tree.broken_words.iter().cloned());
     let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
-    let first_line = parsed.tree.first_line;
+    let first_line = parsed.tree.first_line.filter(|_| !unreadable);
     ev.add_file(id, FileFacts { folder, unit: parsed.tree.unit, first_line });
     Unit { id, tree: parsed.tree, reach: Vec::new(), path, identity, uses: Vec::new() }
 }

@@ -183,6 +183,10 @@ fn action(
             reports.tell(names::missing_name(kind));
             None
         }
+        (Some(found), Some(name)) if name.text.is_empty() => {
+            reports.tell(names::empty_name(found.word, name.span));
+            None
+        }
         (Some(found), Some(name)) => Some(build(found, name)),
         (Some(found), None) => Some(build(found, Word { text: Arc::from(""), span: kind.span })),
     }
@@ -379,7 +383,8 @@ impl Planner<'_> {
                 match self.named.get(&base.text) {
                     Some((scope, _)) => found.push(*scope),
                     None => {
-                        let mut all: Vec<_> = self.named.keys().map(|name| &**name).collect();
+                        let others = self.named.iter().filter(|(_, (scope, _))| *scope != i);
+                        let mut all: Vec<_> = others.map(|(name, _)| &**name).collect();
                         all.sort_unstable();
                         let told = names::unknown_setup(base, &all);
                         self.ev.reports.tell_unknown(&base.text, told);

@@ -77,7 +77,7 @@ fn words(ev: &Evaluator, value: &Expr, env: &Env, known: &HashSet<&str>) {
 }
 
 /// The words that a type gives a meaning to.
-fn schema_words<'s>(ty: &Type, found: &mut HashSet<&'s str>) {
+fn schema_words(ty: &Type, found: &mut HashSet<&str>) {
     let records: &'static [Record] = match ty {
         Type::Switch => return found.extend(["on", "off"]),
         Type::Words(words) => return found.extend(words.all.iter().map(|(word, _)| *word)),

@@ -339,19 +339,23 @@ impl<'a> Checker<'a> {
             }
         }
         if !missing.is_empty() {
-            // A misspelt field is not missing as well.
-            let misspelt = |field: &schema::Field| {
-                found.fields.iter().any(|said| {
-                    !schema.fields.iter().any(|known| known.word == &*said.key.text)
-                        && super::errors::nearest(&said.key.text, [field.word]).len() == 1
-                })
+            // A misspelt field is not missing as well, nor is one that an unknown word may mean.
+            let unknown = |key: &str| !schema.fields.iter().any(|known| known.word == key);
+            let keys = found.fields.iter().map(|said| &*said.key.text);
+            let mut strangers: Vec<&str> = keys.filter(|key| unknown(key)).collect();
+            let misspelt = |field: &schema::Field, strangers: &mut Vec<&str>| {
+                let near = |key: &&str| super::errors::nearest(key, [field.word]).len() == 1;
+                let at = strangers.iter().position(near);
+                at.map(|at| strangers.remove(at)).is_some()
             };
             let missed: Vec<&schema::Field> =
-                missing.into_iter().filter(|field| !misspelt(field)).collect();
-            if !missed.is_empty() && !found.partial {
+                missing.into_iter().filter(|field| !misspelt(field, &mut strangers)).collect();
+            if missed.len() > strangers.len() && !found.partial {
                 let at = found.word.as_ref().map_or(found.braces, |word| word.span);
-                let wanted: Vec<_> =
-                    missed.iter().map(|field| (field.word, self.example(&field.ty))).collect();
+                let wanted: Vec<_> = missed
+                    .iter()
+                    .map(|field| (field.word, self.example(&field.ty, &field.range)))
+                    .collect();
                 ev.reports.tell(types::missing_fields(&owner, place, &wanted, at, found.braces));
             }
             whole = false;
@@ -387,9 +391,11 @@ impl<'a> Checker<'a> {
     }
 
     /// How a value of a type may look.
-    fn example(&self, ty: &Type) -> String {
+    fn example(&self, ty: &Type, range: &Range) -> String {
         match ty {
-            Type::Number(dimension) | Type::Spectrum(dimension) => types::example(*dimension),
+            Type::Number(dimension) | Type::Spectrum(dimension) => {
+                types::example(*dimension, range)
+            }
             Type::Count => "1".into(),
             Type::Switch => "on".into(),
             Type::Text => "\"…\"".into(),

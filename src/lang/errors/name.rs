@@ -8,6 +8,9 @@ use crate::lang::ast::Word;
 use crate::math::units;
 use crate::scene::KINDS;
 
+/// How many names a message lists at most.
+const LISTED: usize = 18;
+
 /// "did you mean `a`?" with a mend for each, or the list of all when they are few.
 fn offer(told: Diagnostic, found: &str, span: Span, all: &[&str], what: &str) -> Diagnostic {
     let what = what.trim_end_matches(" are");
@@ -16,16 +19,16 @@ fn offer(told: Diagnostic, found: &str, span: Span, all: &[&str], what: &str) ->
         (false, _) => told.help(format!("did you mean {}?", listed(near.iter().copied(), "or"))),
         (true, 0) => told,
         (true, _) => {
-            let mut words: Vec<_> = all.iter().copied().take(12).collect();
+            let mut words: Vec<_> = all.iter().copied().take(LISTED).collect();
             words.sort_unstable();
-            let rest = if all.len() > 12 { ", and others" } else { "" };
+            let rest = if all.len() > LISTED { ", and others" } else { "" };
             told.help(format!("{what}: {}{rest}", listed(words, "and")))
         }
     };
     for word in near {
         told = told.mend(format!("write `{word}`"), span, word);
     }
-    if all.len() > 1 && all.len() <= 12 && told.why.is_none() && !told.mends.is_empty() {
+    if all.len() > 1 && all.len() <= LISTED && told.why.is_none() && !told.mends.is_empty() {
         let mut words = all.to_vec();
         words.sort_unstable();
         told = told.why(format!("{}: {}.", capital(what), listed(words, "and")));
@@ -121,6 +124,16 @@ pub fn unknown_function(found: &str, span: Span, defined: &[&str]) -> Diagnostic
     }
 }
 
+/// Words that begin an item without being a kind.
+const KEYWORDS: [&str; 6] = ["setup", "render", "let", "for", "use", "without"];
+
+/// A name in quotes with nothing in it.
+pub fn empty_name(kind: &str, span: Span) -> Diagnostic {
+    Diagnostic::error(Code::NAME_MISSING_NAME, format!("the name of this {kind} is empty"))
+        .label(span, "a name belongs between the quotes")
+        .help(format!("write `{kind} NAME: …`"))
+}
+
 /// An item of a kind that does not exist.
 pub fn unknown_kind(word: &Word) -> Diagnostic {
     let found = &word.text;
@@ -129,7 +142,7 @@ pub fn unknown_kind(word: &Word) -> Diagnostic {
         format!("there is no kind of item called `{found}`"),
     )
     .label(word.span, "not known");
-    let all: Vec<_> = KINDS.iter().map(|kind| kind.word).chain(["setup", "render"]).collect();
+    let all: Vec<_> = KINDS.iter().map(|kind| kind.word).chain(KEYWORDS).collect();
     offer(told, found, word.span, &all, "an item is one of")
 }
 

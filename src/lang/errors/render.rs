@@ -22,6 +22,15 @@ pub fn clash(first: &Said, second: &Said, same: bool) -> Diagnostic {
         false => (second, first),
     };
     let path = &whole.path;
+    if first.span == second.span {
+        return Diagnostic::error(
+            Code::RENDER_CLASH,
+            format!("`{path}` is stated anew at each turn of a loop"),
+        )
+        .label(first.span, format!("stated more than once {}", first.by))
+        .why("Order never matters: of two items in one place, neither wins.")
+        .help("put the loop's variable into the name, as `{i}` in `\"ball_{i}\"`");
+    }
     let headline = match (same, whole.path == part.path) {
         (true, true) => format!("`{path}` is stated twice"),
         (true, false) => format!("`{path}` is stated whole, and `{}` beside it", part.path),

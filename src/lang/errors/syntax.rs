@@ -43,8 +43,8 @@ pub fn brackets(fault: &Fault, text: &str, file: FileId) -> Diagnostic {
             let headline = format!("`{bracket}` closes nothing");
             Diagnostic::error(Code::SYNTAX_STRAY_BRACKET, headline)
                 .label(place(*at), "no bracket is open here")
-                .help("take it away, or write the bracket it should close")
-                .mend(format!("take `{bracket}` away"), place(*at), "")
+                .help(format!("remove this `{bracket}`, or write the bracket it should close"))
+                .mend(format!("remove `{bracket}`"), place(*at), "")
         }
         Fault::Unopened { at, item, insert } => {
             Diagnostic::error(Code::SYNTAX_STRAY_BRACKET, "`{` is missing: `}` closes nothing")

@@ -21,8 +21,14 @@ fn units_of(dimension: Dimension) -> Vec<String> {
     }
 }
 
-/// How a value of a dimension may look.
-pub fn example(dimension: Dimension) -> String {
+/// How a value of a dimension may look, within its bounds.
+pub fn example(dimension: Dimension, range: &Range) -> String {
+    if dimension == Dimension::NONE {
+        return if range.holds(0.5) { "0.5".into() } else { "1".into() };
+    }
+    if dimension == Dimension::ANGLE {
+        return "40 deg".into();
+    }
     let unit = units_of(dimension).into_iter().next().unwrap_or_default();
     if unit.is_empty() { "1".into() } else { format!("1 {unit}") }
 }
@@ -138,7 +144,7 @@ pub fn not_whole(what: &str, found: f64, span: Span) -> Diagnostic {
 
 /// Two or four coordinates. `difference`: one of them was computed.
 pub fn three_coordinates(what: &str, found: usize, difference: bool, span: Span) -> Diagnostic {
-    let headline = format!("{what} has three coordinates, and here stand {found}");
+    let headline = format!("{what} has three coordinates, and here {}", stand(found));
     let told = Diagnostic::error(Code::TYPE_VECTOR_SIZE, headline)
         .label(span, "expected x, y and z")
         .help("write `(x, y, z)`");
@@ -242,10 +248,24 @@ pub fn not_a_function(used: &Word, defined: Span) -> Diagnostic {
 pub fn arguments(function: &str, params: &[&str], found: usize, span: Span) -> Diagnostic {
     let n = params.len();
     let s = if n == 1 { "" } else { "s" };
-    let headline = format!("`{function}` takes {n} argument{s}, and here stand {found}");
+    let stand = stand(found);
+    let headline = format!("`{function}` takes {n} argument{s}, and here {stand}");
     Diagnostic::error(Code::TYPE_ARGUMENTS, headline)
         .label(span, format!("expected {n} argument{s}"))
         .help(format!("write `{function}({})`", params.join(", ")))
+}
+
+/// "stands 1", "stand 2"
+fn stand(count: usize) -> String {
+    format!("{} {count}", if count == 1 { "stands" } else { "stand" })
+}
+
+/// `scale((1, 2, 1))`
+pub fn vector_as_arguments(function: &str, components: &str, span: Span) -> Diagnostic {
+    let right = format!("{function}({components})");
+    Diagnostic::error(Code::TYPE_MISMATCH, format!("`{function}` takes numbers, not a vector"))
+        .label(span, "its components are the arguments")
+        .help(format!("write `{right}`"))
 }
 
 /// A range that holds nothing or never ends.

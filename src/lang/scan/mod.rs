@@ -314,6 +314,10 @@ impl<'t> Scanner<'t> {
             self.heads.last().filter(|head| head.line == self.line).copied()
         };
         let Some(head) = head else { return false };
+        // Nothing stands inside: the brace is one too many.
+        if first && !self.heads.iter().any(|inner| inner.line > head.line) {
+            return false;
+        }
         let end = head.start + line_rest(&self.bytes[head.start..]);
         let line = &self.text[head.start..end];
         let code = line.split("//").next().unwrap_or("").trim_end();
