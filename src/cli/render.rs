@@ -76,7 +76,7 @@ impl<'a> Session<'a> {
             let why = "asks for no picture: it only defines things for others";
             return Err(failed(&format!("`{file}` {why}")));
         }
-        let chosen = self.chosen(compiled.renders, &output)?;
+        let chosen = self.chosen(compiled.renders, &compiled.setups, &output)?;
         let ready = self.load(compiled.diagnostics, chosen)?;
         self.settings_fit(&ready, &output)?;
         self.tell_loaded(&ready);
@@ -97,6 +97,7 @@ impl<'a> Session<'a> {
     fn chosen(
         &self,
         renders: Vec<lang::Render>,
+        setups: &[String],
         output: &Output,
     ) -> Result<Vec<lang::Render>, End> {
         let only = &self.options.only;
@@ -106,7 +107,13 @@ impl<'a> Session<'a> {
         if let Some(unknown) = only.iter().find(|name| !names.contains(name)) {
             let mut text = format!("{file} has no render `{unknown}`");
             let nearest = near(unknown, all.iter().copied());
-            if !nearest.is_empty() {
+            if setups.contains(unknown) {
+                let example = format!("render {unknown}_alone: {unknown} {{}}");
+                text.push_str(&format!(
+                    "; `{unknown}` is a setup, which is not drawn by itself: a render builds on \
+                     it, as in `{example}`"
+                ));
+            } else if !nearest.is_empty() {
                 text.push_str(&format!("; did you mean {}?", either(&nearest)));
             }
             text.push_str(&format!("\n  it has: {}", listed(&all)));

@@ -47,6 +47,8 @@ pub trait Library {
 pub struct Compiled {
     /// The renders without a fault, in the order of the text.
     pub renders: Vec<Render>,
+    /// The names of the setups of all files: differences that are not drawn by themselves.
+    pub setups: Vec<String>,
     /// All errors of all files in one run, each once.
     pub diagnostics: Vec<Diagnostic>,
 }
@@ -85,7 +87,12 @@ pub fn compile(
     unused::check(&ev, &plan);
     let renders = if readable { lowered } else { Vec::new() };
     let reports = std::mem::take(&mut ev.reports);
-    Compiled { renders, diagnostics: reports.finish() }
+    let items = units.iter().flat_map(|unit| &unit.tree.items);
+    let setups = items.filter_map(|item| match item {
+        ast::Item::Setup(setup) => Some(setup.name.text.to_string()),
+        _ => None,
+    });
+    Compiled { renders, setups: setups.collect(), diagnostics: reports.finish() }
 }
 
 /// The arguments of `--set`, each a source of its own.

@@ -225,3 +225,11 @@ fn a_file_is_used_where_the_disk_says_it_is_and_once() {
     bench.run("lint same.scn").ends(0);
     bench.run("render same.scn --only w_5 -o a.png").ends(0);
 }
+
+#[test]
+fn a_setup_is_not_drawn_by_itself() {
+    let bench = Bench::new();
+    bench.put("fine.scn", format!("{BALL}setup fine {{ stop.samples: 9 }}\n"));
+    let run = bench.run("render fine.scn --only fine").ends(2);
+    run.says("`fine` is a setup, which is not drawn by itself").says("render fine_alone: fine {}");
+}

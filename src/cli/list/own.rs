@@ -79,7 +79,10 @@ fn forms(function: &Function) -> String {
 fn measure(unit: &Unit, look: Look) -> String {
     let base = unit.dimension.unit();
     let what = unit.dimension.name();
-    let mut doc = format!("A unit; it measures {what}.");
+    let mut doc = match base.is_empty() {
+        true => "A unit of plain numbers.".to_string(),
+        false => format!("A unit; it measures {what}."),
+    };
     if base != unit.word {
         doc.push_str(&format!(" 1 {} is {} {base}", unit.word, tidy(&unit.scale.to_string())));
         doc = doc.trim_end().to_string() + ".";
