@@ -283,8 +283,8 @@ fn settings_that_do_not_suit_the_film_are_told_in_a_sentence() {
     };
     assert_eq!(unfit(1.0, None), "");
     assert_eq!(unfit(0.5, Some([0, 0, 256, 128])), "");
-    assert_eq!(unfit(0.0, None), "a film can not be scaled by 0");
-    assert_eq!(unfit(f64::NAN, None), "a film can not be scaled by NaN");
+    assert_eq!(unfit(0.0, None), "a film cannot be scaled by 0");
+    assert_eq!(unfit(f64::NAN, None), "a film cannot be scaled by NaN");
     assert_eq!(unfit(0.001, None), "scaled by 0.001, a film of 512 × 256 has no pixel");
     assert_eq!(unfit(1e300, None), "scaled by 1e300, a film of 512 × 256 has too many pixels");
     let beyond = "the crop 0,0,512,257 reaches beyond the film of 512 × 256";
