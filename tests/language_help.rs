@@ -4,15 +4,16 @@ mod common;
 
 use scn::diag::Level;
 
-/// The only error of a text, as told.
+/// The only error of a text, as told; all of them, if there are more.
 fn only(text: &str) -> String {
     let text = format!("scn 1 in m\nintegrator: preview\n{text}\n");
     let (compiled, sources) = common::compile(&text);
-    let errors: Vec<_> =
-        compiled.diagnostics.iter().filter(|told| told.level == Level::Error).collect();
-    let shown: Vec<_> = errors.iter().map(|told| common::show(told, &sources)).collect();
-    assert_eq!(errors.len(), 1, "{text}\n{}", shown.join("\n"));
-    shown[0].clone()
+    let errors = compiled.diagnostics.iter().filter(|told| told.level == Level::Error);
+    let shown: Vec<_> = errors.map(|told| common::show(told, &sources)).collect();
+    match shown.as_slice() {
+        [one] => one.clone(),
+        _ => panic!("{} errors in\n{text}\n{}", shown.len(), shown.join("\n")),
+    }
 }
 
 #[test]
@@ -25,6 +26,32 @@ fn what_is_offered_can_be_what_was_meant() {
         ("}", "remove this `}`"),
         ("for i in [1, 2] { light a: constant { radiance: 1 W/m^2/sr } }", "`\"ball_{i}\"`"),
         ("object a: mesh { file: \"a\", unit: m, place: [scale((1, 2, 1))] }", "scale(1, 2, 1)"),
+    ] {
+        let told = only(text);
+        assert!(told.contains(offered), "{text}: {offered}\n{told}");
+    }
+}
+
+#[test]
+fn forms_of_other_languages_are_known() {
+    for (text, offered) in [
+        ("camera: perspective { eye: (0, 0, 0), look_at: (0, 0, 1), fov_y: 35° }", "`deg`"),
+        ("film: { size: 512 x 512 }", "write `(512, 512)`"),
+        ("film.size: 512 x 384", "write `(512, 384)`"),
+        ("material a: diffuse { albedo: #cc6644 }", "srgb(0.800, 0.400, 0.267)"),
+        ("light a: directional { direction: (0 2 7), irradiance: 1 W/m^2 }", "`(0, 2, 7)`"),
+        ("let a = 1..3", "write `1 to 3`"),
+        ("for i in 1..3 { }", "write `1 to 3`"),
+        ("object a: sphere { center: (0, 0, 0), radius: 1 m, material clay }", "`material: clay`"),
+        ("light a: constant { radiance: rgb(1, 2, 3) W/m^2/sr }", "`… * W/m^2/sr`"),
+        ("light a.radiance: rgb(1, 2, 3) W/m^2/sr", "`… * W/m^2/sr`"),
+        ("object a: sphere { center: (0, 0, 0), radius: 1,5 m }", "write `1.5`"),
+        ("film.exposure: 1,5 ev", "write `1.5`"),
+        ("render a: { film.exposure: 1 ev }", "remove `:`"),
+        ("object my ball: sphere { radius: 1 m }", "`object \"my ball\": …`"),
+        ("object my-ball: sphere { radius: 1 m }", "`object \"my-ball\": …`"),
+        ("render my-ball { film.exposure: 1 ev }", "`render \"my-ball\" { … }`"),
+        ("setup my-ball { film.exposure: 1 ev }", "`setup my_ball { … }`"),
     ] {
         let told = only(text);
         assert!(told.contains(offered), "{text}: {offered}\n{told}");

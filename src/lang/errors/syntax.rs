@@ -218,6 +218,17 @@ pub fn number_form(found: &str, span: Span) -> Diagnostic {
     .mend(format!("write `{right}`"), span, right)
 }
 
+/// `1,5`
+pub fn decimal_comma(whole: &str, fraction: &str, span: Span) -> Diagnostic {
+    let right = format!("{whole}.{fraction}");
+    let headline = format!("`{whole},{fraction}` is no number: decimals follow a point");
+    Diagnostic::error(Code::SYNTAX_NUMBER_FORM, headline)
+        .label(span, "a decimal comma")
+        .why("A comma parts items, fields and arguments.")
+        .help(format!("write `{right}`"))
+        .mend(format!("write `{right}`"), span, right)
+}
+
 /// A number beyond f64.
 pub fn number_too_large(found: &str, span: Span) -> Diagnostic {
     let found = clipped(found);

@@ -22,6 +22,8 @@ pub struct Builder<'t> {
     broken_words: Vec<String>,
     /// What is wrong.
     pub diagnostics: Vec<Diagnostic>,
+    /// Parts of what is wrong, of which nothing more is to be told.
+    pub muted: Vec<Span>,
 }
 
 impl<'t> Builder<'t> {
@@ -35,6 +37,7 @@ impl<'t> Builder<'t> {
             semicolon_told: false,
             broken_words: Vec::new(),
             diagnostics: Vec::new(),
+            muted: Vec::new(),
         }
     }
 
@@ -142,7 +145,7 @@ impl<'t> Builder<'t> {
             if rule == Rule::broken {
                 // No byte is passed over in silence: what follows an item on its line is told,
                 // unless it may be a consequence of a fault in that item.
-                self.broken(&pair, parted, parted || faultless);
+                self.broken(&pair, last.filter(|_| !parted), parted || faultless);
             } else {
                 items.extend(self.item(pair));
             }
@@ -158,15 +161,15 @@ impl<'t> Builder<'t> {
         }
     }
 
-    /// Text that is no item, or (not `parted` from it) follows one on its line.
-    fn broken(&mut self, pair: &Pair, parted: bool, tell: bool) {
+    /// Text that is no item, or follows the item `last` on its line.
+    fn broken(&mut self, pair: &Pair, last: Option<Span>, tell: bool) {
         let text = pair.as_str();
         self.poison(text);
         if tell {
             let start = self.offset + pair.as_span().start();
-            let told = match parted {
-                true => explain::item(self, code(text), start),
-                false => explain::leftover(self, code(text), start),
+            let told = match last {
+                None => explain::item(self, code(text), start),
+                Some(last) => explain::leftover(self, code(text), start, last),
             };
             self.diagnostics.push(told);
         }

@@ -4,29 +4,35 @@
 use pest::Parser;
 
 use super::build::Builder;
-use super::{Grammar, Pair, Rule, stopped};
+use super::{Grammar, Pair, Rule, hints, stopped};
 use crate::diag::{Diagnostic, FileId, Span};
 use crate::lang::errors::syntax;
 use crate::lang::words::is_keyword;
 
 /// Tells of an item, which begins at byte `start` of the source.
-pub fn item(builder: &Builder, text: &str, start: usize) -> Diagnostic {
+pub fn item(builder: &mut Builder, text: &str, start: usize) -> Diagnostic {
     refused(builder, Rule::item_alone, text, start)
 }
 
 /// Tells of what follows a whole item on its line.
-pub fn leftover(builder: &Builder, text: &str, start: usize) -> Diagnostic {
+pub fn leftover(builder: &mut Builder, text: &str, start: usize, last: Span) -> Diagnostic {
     let (at, length) = thing(text, 0);
     let span = builder.place(start + at, start + at + length);
     if let Some(told) = comment(text, builder.place(start, start + text.len())) {
         return told;
     }
     let found = text.get(at..at + length).unwrap_or("");
-    syntax::unexpected("a comma or a new line after this item", found, span)
+    let told = syntax::unexpected("a comma or a new line after this item", found, span);
+    let told = hinted(told, builder.source, start + at);
+    if told.help.is_some() {
+        // Both are one value in another form: its first half is not wrong as well.
+        builder.muted.push(last);
+    }
+    told
 }
 
 /// Tells of a field.
-pub fn entry(builder: &Builder, text: &str, start: usize) -> Diagnostic {
+pub fn entry(builder: &mut Builder, text: &str, start: usize) -> Diagnostic {
     refused(builder, Rule::entry_alone, text, start)
 }
 
@@ -35,14 +41,23 @@ pub fn entry_alone(text: &str) -> Option<Pair<'_>> {
     Grammar::parse(Rule::entry_alone, text).ok()?.next()?.into_inner().next()
 }
 
-fn refused(builder: &Builder, rule: Rule, text: &str, start: usize) -> Diagnostic {
+fn refused(builder: &mut Builder, rule: Rule, text: &str, start: usize) -> Diagnostic {
     let at = match Grammar::parse(rule, text) {
         Ok(_) => text.len(),
         Err(error) => stopped(&error),
     };
+    if let Some((whole, fraction)) = hints::decimal_comma(builder.source, start) {
+        let begin = start - 1 - whole.len();
+        let span = builder.place(begin, start + fraction.len());
+        let told = syntax::decimal_comma(whole, fraction, span);
+        builder.muted.push(builder.place(begin, start));
+        return told;
+    }
     let (at, length) = thing(text, at);
     let whole = builder.place(start, start + text.len());
-    tell(text, at, whole, builder.place(start + at, start + at + length), rule == Rule::entry_alone)
+    let span = builder.place(start + at, start + at + length);
+    let told = tell(text, at, whole, span, rule == Rule::entry_alone);
+    hinted(told, builder.source, start + at)
 }
 
 /// Tells of a text that is not part of a file: the grammar stopped at byte `at`.
@@ -57,6 +72,14 @@ pub fn inside(text: &str, at: usize, span: Span) -> Diagnostic {
     let (at, length) = thing(text, at.min(text.len()));
     let start = span.start as usize + at;
     tell(text, at, span, Span::new(span.file, start, start + length), true)
+}
+
+/// A fault with what was probably meant at byte `at`, unless it says so already.
+fn hinted(told: Diagnostic, source: &str, at: usize) -> Diagnostic {
+    match hints::hint(source, at).filter(|_| told.help.is_none()) {
+        Some(help) => told.help(help),
+        None => told,
+    }
 }
 
 /// The thing at `at`, or the next one: where it begins, how long it is. At the end of the text
@@ -116,7 +139,7 @@ fn tell(text: &str, at: usize, whole: Span, span: Span, in_record: bool) -> Diag
 }
 
 /// The bracket that is open at the end of a text.
-fn innermost(text: &str) -> Option<char> {
+pub fn innermost(text: &str) -> Option<char> {
     let mut open = Vec::new();
     let mut quoted = false;
     for c in text.chars() {

@@ -2,6 +2,7 @@
 
 mod build;
 mod explain;
+mod hints;
 mod strings;
 mod values;
 
@@ -46,13 +47,14 @@ pub fn file(text: &str, id: FileId) -> Parsed<File> {
         tree.first_line = Some(whole);
         return Parsed { tree, diagnostics, muted: vec![whole] };
     }
-    let muted: Vec<_> = scanned.muted.iter().map(|r| Span::new(id, r.start, r.end)).collect();
+    let mut muted: Vec<_> = scanned.muted.iter().map(|r| Span::new(id, r.start, r.end)).collect();
     let source = scanned.repaired.clone().unwrap_or_else(|| text.to_string());
     match Grammar::parse(Rule::file, &source) {
         Ok(mut pairs) => {
             let mut builder = Builder::new(id, &source, &scanned);
             tree = builder.file(pairs.next().expect("a file"));
             builder.diagnostics.retain(|d| !within(d, &muted));
+            muted.append(&mut builder.muted);
             diagnostics.append(&mut builder.diagnostics);
         }
         Err(error) => {
