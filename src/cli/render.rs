@@ -1,5 +1,8 @@
 //! `scn render`: read, check everything, then render one scene at a time.
 
+use std::collections::HashSet;
+use std::path::PathBuf;
+
 use super::bar::{Bar, Watcher};
 use super::log::{Event, Loaded, Log, shown};
 use super::near::{either, near};
@@ -184,7 +187,14 @@ impl<'a> Session<'a> {
             }
         }
         let _writing = stop::writing();
+        let files = ready.iter().flat_map(|render| &render.stage.files).map(|file| &*file.path);
+        let read: HashSet<PathBuf> =
+            files.chain([&*self.options.file]).map(files::regular::identity).collect();
         for path in ready.iter().flat_map(|render| output.paths(&render.name).into_iter()) {
+            if read.contains(&files::regular::identity(&path)) {
+                let why = "would replace a file that the scene is read from";
+                return Err(failed(&format!("the picture `{}` {why}", shown(&path))));
+            }
             files::whole::ready(&path)
                 .map_err(|failure| failed(&format!("the picture `{}` {failure}", shown(&path))))?;
         }

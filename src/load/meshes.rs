@@ -39,6 +39,7 @@ impl Desk<'_, '_> {
         };
         let file = StagedFile {
             name: asked.name.to_string(),
+            path: asked.path.to_path_buf(),
             span,
             bytes: obj.bytes,
             triangles: Some(obj.mesh.triangles.len() as u64),
@@ -147,6 +148,7 @@ impl Desk<'_, '_> {
         let library = self.shelf.mtl(asked, self.sources, self.found)?;
         let file = StagedFile {
             name: asked.name.to_string(),
+            path: asked.path.to_path_buf(),
             span: asked.span,
             bytes: library.bytes,
             triangles: None,

@@ -1,5 +1,6 @@
 //! The Stage: a scene with every file it names read into plain data.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::diag::Span;
@@ -33,6 +34,8 @@ pub struct StagedMesh {
 pub struct StagedFile {
     /// As the author named it.
     pub name: String,
+    /// Where it is.
+    pub path: PathBuf,
     /// Where the author named it; for a .mtl, where the object stands that led to it.
     pub span: Span,
     /// Its length in bytes.

@@ -233,3 +233,20 @@ fn a_setup_is_not_drawn_by_itself() {
     let run = bench.run("render fine.scn --only fine").ends(2);
     run.says("`fine` is a setup, which is not drawn by itself").says("render fine_alone: fine {}");
 }
+
+#[test]
+fn a_picture_never_replaces_what_the_scene_is_read_from() {
+    let bench = Bench::new();
+    let mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    bench.put("m.png", mesh);
+    let scene = format!(
+        "{BALL}\nrender mesh {{ object m: mesh {{ file: \"m.png\", unit: m, material: white }} }}\n"
+    );
+    bench.put("scene.exr", &scene);
+    let why = "would replace a file that the scene is read from";
+    bench.run("render scene.exr --only mesh -o ./m.png").ends(2).says(why);
+    bench.run("render scene.exr --only left -o scene.exr").ends(2).says(why);
+    assert_eq!(std::fs::read(bench.path("m.png")).unwrap(), mesh.as_bytes());
+    assert_eq!(std::fs::read(bench.path("scene.exr")).unwrap(), scene.as_bytes());
+    bench.run("render scene.exr --only mesh -o other.png").ends(0);
+}
