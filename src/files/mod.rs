@@ -2,6 +2,9 @@
 //!
 //! Whatever comes from outside is hostile until checked: only regular files are opened, sizes are
 //! bounded before anything is allocated. Whatever goes out appears whole or not at all.
+//!
+//! Left out: glTF, until a scene needs it. It will be read here, its own buffers and pictures
+//! resolved by us, never by the crate.
 
 mod failure;
 pub mod memory;
