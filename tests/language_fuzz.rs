@@ -1,12 +1,10 @@
 //! Texts that are wrong on purpose: whatever is done to a scene, it is read without a panic, what
 //! is broken is told, and told where it is.
 
-mod common;
-
 use std::path::{Path, PathBuf};
 
-use common::Disk;
 use proptest::prelude::*;
+use scn::cli::Disk;
 use scn::diag::{Diagnostic, FileId, Level, Sources};
 use scn::lang;
 

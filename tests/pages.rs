@@ -4,25 +4,14 @@
 //! and a ```scn-ok block with the mend.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use scn::cli::Disk;
 use scn::diag::{self, CODES, Diagnostic, Level, Sources};
-use scn::lang::{self, Library};
+use scn::lang;
 use scn::load::Loader;
 use scn::math::NoProgress;
 use scn::prepare;
-
-struct Disk;
-
-impl Library for Disk {
-    fn read(&self, path: &Path) -> Result<String, String> {
-        scn::files::text::read(path).map_err(|failure| failure.to_string())
-    }
-
-    fn identity(&self, path: &Path) -> PathBuf {
-        scn::files::regular::identity(path)
-    }
-}
 
 /// A fenced block: what stands after the backticks, and its text.
 struct Block {

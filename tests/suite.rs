@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use common::{Disk, show};
+use common::show;
+use scn::cli::Disk;
 use scn::diag::{Level, Sources};
 use scn::lang;
 

@@ -24,6 +24,8 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
+pub use scene_file::Disk;
+
 /// How a command ended. What went wrong has been told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum End {

@@ -9,7 +9,7 @@ use crate::files;
 use crate::lang::{self, Compiled, Library};
 
 /// Scene files from the disk.
-struct Disk;
+pub struct Disk;
 
 impl Library for Disk {
     fn read(&self, path: &Path) -> Result<String, String> {

@@ -7,19 +7,6 @@ use std::path::{Path, PathBuf};
 use scn::diag::{Diagnostic, Sources};
 use scn::lang::{self, Compiled, Library};
 
-/// Scene files from the disk.
-pub struct Disk;
-
-impl Library for Disk {
-    fn read(&self, path: &Path) -> Result<String, String> {
-        std::fs::read_to_string(path).map_err(|_| "does not exist".to_string())
-    }
-
-    fn identity(&self, path: &Path) -> PathBuf {
-        scn::files::regular::identity(path)
-    }
-}
-
 /// No files but the one given.
 pub struct Nothing;
 

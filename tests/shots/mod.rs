@@ -5,8 +5,9 @@
 
 use std::path::{Path, PathBuf};
 
+use scn::cli::Disk;
 use scn::diag::{Diagnostic, Level, Sources, print};
-use scn::lang::{self, Library};
+use scn::lang;
 use scn::load::{Loader, Stage};
 use scn::math::{NoProgress, Picture};
 use scn::prepare::{self, Prepared};
@@ -23,18 +24,6 @@ pub struct Shot {
 /// A file of the project.
 pub fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
-}
-
-struct Disk;
-
-impl Library for Disk {
-    fn read(&self, path: &Path) -> Result<String, String> {
-        scn::files::text::read(path).map_err(|failure| failure.to_string())
-    }
-
-    fn identity(&self, path: &Path) -> PathBuf {
-        scn::files::regular::identity(path)
-    }
 }
 
 /// The renders of a text that stands in `path`, each compiled, loaded and checked; or the report
