@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::ast::{Expr, ExprKind, For, Item, Name, Piece, Word};
+use super::ast::{Expr, ExprKind, For, Item, Name, Piece, Set, Word};
 use super::errors::{name as names, render, syntax, types};
 use super::eval::Evaluator;
 use super::import::Unit;
@@ -127,22 +127,26 @@ pub fn plan(ev: &Evaluator, units: &[Unit]) -> Plan {
 }
 
 /// What `--set` arguments say, as if at the end of the main file.
-pub fn sets(ev: &Evaluator, plan: &mut Plan, sets: Vec<super::ast::Set>) -> Vec<Rc<Action>> {
+pub fn sets(ev: &Evaluator, plan: &mut Plan, sets: Vec<Set>) -> Vec<Rc<Action>> {
     let Some(env) = plan.names.clone() else { return Vec::new() };
     let scope = plan.scopes.len();
     let mut actions = Vec::new();
     for set in sets {
-        let made = action(ev, &set.kind, set.name.as_ref(), &env, |kind, name| Action {
-            kind,
-            name,
-            parts: set.parts.clone(),
-            what: What::State(set.value.clone(), env.clone()),
-            path: set.path,
-            scope,
-        });
-        actions.extend(made.map(Rc::new));
+        actions.extend(statement(ev, &set, &env, scope).map(Rc::new));
     }
     actions
+}
+
+/// `path: value`.
+fn statement(ev: &Evaluator, set: &Set, env: &Env, scope: usize) -> Option<Action> {
+    action(ev, &set.kind, set.name.as_ref(), env, |kind, name| Action {
+        kind,
+        name,
+        parts: set.parts.clone(),
+        what: What::State(set.value.clone(), env.clone()),
+        path: set.path,
+        scope,
+    })
 }
 
 /// An item on a path: its kind and name are found, or told.
@@ -286,15 +290,7 @@ impl Planner<'_> {
                     self.plan.scopes[scope].actions.extend(action.map(Rc::new));
                 }
                 Item::Set(set) => {
-                    let action =
-                        action(self.ev, &set.kind, set.name.as_ref(), env, |kind, name| Action {
-                            kind,
-                            name,
-                            parts: set.parts.clone(),
-                            what: What::State(set.value.clone(), env.clone()),
-                            path: set.path,
-                            scope,
-                        });
+                    let action = statement(self.ev, set, env, scope);
                     self.plan.scopes[scope].actions.extend(action.map(Rc::new));
                 }
             }

@@ -2,6 +2,7 @@
 //! comparisons that mean less than they seem to.
 
 use super::{Comparison, input::Input};
+use crate::diag::harmless_text;
 use crate::files;
 
 /// What differs from picture to picture without telling why the pictures do.
@@ -85,9 +86,10 @@ pub fn notes(comparison: &Comparison) -> Vec<String> {
     notes
 }
 
-/// The text without characters that would move a terminal's cursor or change its colours.
+/// The text on one line, without characters that would move a terminal's cursor or change its
+/// colours.
 pub fn harmless(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
+    harmless_text(text).replace(['\n', '\t'], " ")
 }
 
 /// A value fit for a table.
