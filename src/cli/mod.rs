@@ -16,6 +16,8 @@ mod picture;
 mod scene_file;
 mod render;
 mod lint;
+mod diff;
+mod fmt;
 mod compare;
 mod explain;
 mod list;
@@ -69,6 +71,7 @@ pub fn main() -> ExitCode {
     let end = match options.command {
         options::Command::Render(options) => render::run(&options),
         options::Command::Lint(options) => lint::run(&options),
+        options::Command::Fmt(options) => fmt::run(&options),
         options::Command::Compare(options) => compare::run(&options),
         options::Command::Explain(options) => explain::run(&options),
         options::Command::List(options) => list::run(&options),

@@ -12,12 +12,13 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 Examples:
   scn render scenes/w01_first_pictures.scn    every render of the file, into out/
   scn lint my.scn                             what is wrong with it
+  scn fmt my.scn                              lay it out in the one style there is
   scn compare a.exr reference.exr             how far a picture is from another
   scn list material                           what the language has to offer
   scn explain type/dimension                  what a fault means, and how it is mended
 
-Exit status: 0 well; 1 the scene, or a file it names, has errors, or a condition that compare is to
-fail on holds; 2 the tool could not do its work (options, the scene file itself, the disk); 130
+Exit status: 0 well; 1 the scene, or a file it names, has errors, or what compare or fmt was asked to
+look for holds; 2 the tool could not do its work (options, the scene file itself, the disk); 130
 interrupted.")]
 pub struct Options {
     #[command(subcommand)]
@@ -28,6 +29,7 @@ pub struct Options {
 pub enum Command {
     Render(Render),
     Lint(Lint),
+    Fmt(Fmt),
     Compare(super::compare::Compare),
     Explain(Explain),
     List(List),
@@ -97,6 +99,31 @@ pub struct Lint {
     /// Check the scene as changed so; may be given more than once
     #[arg(long, value_name = "path=value")]
     pub set: Vec<String>,
+}
+
+/// Lay out scene files in the one style there is
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  scn fmt my.scn lib/*.scn      rewrite those that are not in the style
+  scn fmt --check scenes/*.scn  list them, and end with status 1 if there are any
+  scn fmt --diff my.scn         show what would change
+  scn fmt - < my.scn            from stdin to stdout
+
+The style: four spaces a level, 100 columns, items on lines of their own. A record written on one
+line stays on one if it fits; else it has a field a line, without commas. Comments stay where they
+stand. A file with faults of syntax is left alone.")]
+pub struct Fmt {
+    /// The scene files; `-` for stdin to stdout
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Write nothing; list the files which are not in the style, and end with status 1 if there are
+    /// any
+    #[arg(long)]
+    pub check: bool,
+    /// Write nothing; show what would change
+    #[arg(long)]
+    pub diff: bool,
 }
 
 /// Who reads it.

@@ -38,7 +38,8 @@ pub fn compile(
     }
 }
 
-fn unread(path: &Path, failure: &files::Failure) -> String {
+/// Why a scene file could not be read, with what was probably meant.
+pub fn unread(path: &Path, failure: &files::Failure) -> String {
     let mut text = format!("the scene file `{}` {failure}", path.display());
     if let Ok(whole) = std::path::absolute(path)
         && whole != path

@@ -17,10 +17,15 @@ pub fn stderr_is_terminal() -> bool {
     io::stderr().is_terminal()
 }
 
+/// Whether somebody watches stdout.
+pub fn stdout_is_terminal() -> bool {
+    io::stdout().is_terminal()
+}
+
 /// How things look on stdout.
 pub fn stdout_look() -> Look {
     let size = terminal_size::terminal_size_of(io::stdout());
-    look(io::stdout().is_terminal(), size, &|name| std::env::var(name).ok())
+    look(stdout_is_terminal(), size, &|name| std::env::var(name).ok())
 }
 
 type Size = (terminal_size::Width, terminal_size::Height);

@@ -5,16 +5,33 @@ use std::path::Path;
 use super::{Failure, regular};
 
 /// The longest scene file, in bytes.
-const LIMIT: u64 = 8_000_000;
+pub const LIMIT: u64 = 8_000_000;
 
 /// The text of a scene file: a regular file of at most 8 MB, in UTF-8. A byte order mark is left
 /// out.
 pub fn read(path: &Path) -> Result<String, Failure> {
-    let bytes = regular::read(path, LIMIT)?;
-    let bytes = match bytes.strip_prefix(b"\xef\xbb\xbf") {
-        Some(rest) => rest.to_vec(),
-        None => bytes,
-    };
+    let text = read_raw(path)?;
+    Ok(match text.strip_prefix(MARK) {
+        Some(rest) => rest.to_string(),
+        None => text,
+    })
+}
+
+/// The same with its byte order mark.
+pub fn read_raw(path: &Path) -> Result<String, Failure> {
+    decode(regular::read(path, LIMIT)?)
+}
+
+/// A text without its byte order mark.
+pub fn without_mark(text: &str) -> &str {
+    text.strip_prefix(MARK).unwrap_or(text)
+}
+
+/// Some programs begin every text with it.
+const MARK: char = '\u{feff}';
+
+/// Bytes as UTF-8.
+pub fn decode(bytes: Vec<u8>) -> Result<String, Failure> {
     String::from_utf8(bytes).map_err(|error| {
         let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + good.iter().filter(|byte| **byte == b'\n').count();

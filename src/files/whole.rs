@@ -28,6 +28,18 @@ pub fn write(
     Ok(())
 }
 
+/// Writes a file in place of one that is there, which may be written and keeps its permissions.
+pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let path = target(path)?;
+    let permissions = fs::metadata(&path)?.permissions();
+    // Another file in its place could be made all the same; but this one is not to be changed.
+    File::options().append(true).open(&path)?;
+    write(&path, |file| {
+        file.get_ref().set_permissions(permissions)?;
+        Ok(file.write_all(bytes)?)
+    })
+}
+
 /// Whether [`write`] can be expected to work: makes the folder, and a file beside, which goes away
 /// again.
 pub fn ready(path: &Path) -> Result<(), Failure> {
@@ -182,6 +194,21 @@ mod tests {
         put(&link, b"new").unwrap();
         assert_eq!(fs::read(&file).unwrap(), b"new");
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_is_replaced_keeps_its_permissions_and_must_be_there() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        assert_eq!(replace(&path, b"new").unwrap_err().to_string(), "does not exist");
+        put(&path, b"old").unwrap();
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
+        replace(&path, b"new").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+        assert_eq!(fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
+        assert_eq!(names(folder.path()), ["a.txt"]);
     }
 
     #[cfg(unix)]

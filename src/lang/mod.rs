@@ -7,6 +7,7 @@ mod defaults;
 mod difference;
 mod errors;
 mod eval;
+pub mod format;
 mod functions;
 mod import;
 mod limits;

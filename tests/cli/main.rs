@@ -2,6 +2,7 @@
 
 mod bench;
 mod faults;
+mod fmt;
 mod interrupt;
 mod logs;
 mod pictures;

@@ -5,7 +5,8 @@ use crate::bench::Bench;
 #[test]
 fn help_and_version_are_no_faults() {
     let bench = Bench::new();
-    for arguments in ["--help", "render --help", "lint --help", "explain --help", "list --help"] {
+    for command in ["", "render ", "lint ", "fmt ", "explain ", "list "] {
+        let arguments = &format!("{command}--help");
         let run = bench.run(arguments).well();
         assert!(run.stdout.contains("Examples:"), "{arguments}:\n{}", run.stdout);
         assert!(run.stdout.lines().all(|line| line.chars().count() <= 100), "{}", run.stdout);

@@ -65,6 +65,22 @@ pub fn file(text: &str, id: FileId) -> Parsed<File> {
     Parsed { tree, diagnostics, muted }
 }
 
+/// Where the first line, items and fields begin, in bytes; or what is wrong with the text.
+pub fn starts(text: &str, id: FileId) -> Result<Vec<usize>, Vec<Diagnostic>> {
+    let parsed = file(text, id);
+    if !parsed.diagnostics.is_empty() {
+        return Err(parsed.diagnostics);
+    }
+    let pairs = Grammar::parse(Rule::file, text);
+    let pairs = pairs.map_err(|error| vec![explain::at(text, stopped(&error), id)])?;
+    let begins = |rule| {
+        use Rule::*;
+        matches!(rule, edition | r#use | let_ | for_ | setup | render | without | set | entry)
+    };
+    let starts = pairs.flatten().filter(|pair| begins(pair.as_rule()));
+    Ok(starts.map(|pair| pair.as_span().start()).collect())
+}
+
 /// Reads an argument of `--set`, whose `=` was replaced by `:`.
 pub fn set(text: &str, id: FileId) -> Parsed<Option<Set>> {
     let (pair, mut parsed) = alone(Rule::set_alone, text, id);
