@@ -12,5 +12,7 @@ pub mod render;
 pub mod run;
 pub mod measure;
 pub mod files;
+pub mod optics;
 pub mod diag;
+pub mod data;
 pub mod math;

@@ -26,7 +26,7 @@ fn scene(text: &str) -> std::sync::Arc<Scene> {
 fn radiance(value: &str) -> Spectrum {
     let scene = scene(&format!("light l: constant {{ radiance: {value} }}"));
     let Light::Constant(light) = &scene.lights[0].value.value else { panic!("a constant light") };
-    light.radiance.0
+    light.radiance.0.clone()
 }
 
 /// The exposure that `value` is worth.

@@ -9,6 +9,7 @@ use glam::DVec3;
 use scn::diag::{Code, Diagnostic, FileId, Level, Sources, Span};
 use scn::load::{Loader, Stage};
 use scn::math::{NoProgress, Spectrum};
+use scn::optics::colour::{emitted, reflected};
 use scn::scene::{
     Ambient, At, BoxFilter, Camera, Count, Diffuse, Direction, Exposure, FileName, Film, Filter,
     Independent, Integrator, Length, Material, Mesh, Named, Number, Object, Overview, Place,
@@ -125,7 +126,7 @@ fn said(code: Code, file: &str, line: usize, words: &str) -> (Code, String, usiz
 fn paints(stage: &Stage) -> Vec<([f64; 3], [f64; 3])> {
     let paint = |material: &Named<Material>| {
         let Material::Diffuse(diffuse) = &material.value.value;
-        (diffuse.albedo.0.components(), diffuse.emission.0.components())
+        (reflected(&diffuse.albedo.0), emitted(&diffuse.emission.0))
     };
     stage.meshes[0].as_ref().unwrap().materials.iter().map(paint).collect()
 }

@@ -7,7 +7,8 @@ use super::materials::{self, in_units};
 use super::objects::Placed;
 use super::shapes::Assembled;
 use crate::diag::{Diagnostic, Span};
-use crate::math::{Rgb, Spectrum};
+use crate::math::Rgb;
+use crate::optics::colour;
 use crate::render::geometry::{Geometry, Owner, Primitive};
 use crate::render::lights::{Centre, Directional, Lamp, Light};
 use crate::scene::{self, AreaLights, At, Integrator, Scene};
@@ -26,8 +27,8 @@ const MOST: f64 = 1e37;
 pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>) -> f64 {
     let mut brightest = 0.0_f64;
     let mut refused: Vec<Span> = Vec::new();
-    let mut largest = |spectrum: Spectrum, span: Span, what: &str, name: &At<String>| {
-        let most = spectrum.components().into_iter().fold(0.0, f64::max);
+    let mut largest = |channels: [f64; 3], span: Span, what: &str, name: &At<String>| {
+        let most = channels.into_iter().fold(0.0, f64::max);
         if most > MOST && !refused.contains(&span) {
             refused.push(span);
             found.push(errors::too_bright(name, span, what, MOST));
@@ -36,16 +37,17 @@ pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>
     };
     for light in &scene.lights {
         let (shines, span) = match &light.value.value {
-            scene::Light::Constant(constant) => (constant.radiance.0, constant.radiance.span),
-            scene::Light::Directional(sun) => (sun.irradiance.0, sun.irradiance.span),
+            scene::Light::Constant(constant) => (&constant.radiance.0, constant.radiance.span),
+            scene::Light::Directional(sun) => (&sun.irradiance.0, sun.irradiance.span),
         };
-        brightest = brightest.max(largest(shines, span, "light", &light.name));
+        brightest = brightest.max(largest(colour::emitted(shines), span, "light", &light.name));
     }
     for material in bodies.iter().flat_map(|body| &body.materials) {
         let scene::Material::Diffuse(diffuse) = &material.value.value;
-        largest(diffuse.albedo.0, diffuse.albedo.span, "albedo of", &material.name);
+        let (albedo, emission) = (&diffuse.albedo, &diffuse.emission);
+        largest(colour::reflected(&albedo.0), albedo.span, "albedo of", &material.name);
         let emission =
-            largest(diffuse.emission.0, diffuse.emission.span, "emission of", &material.name);
+            largest(colour::emitted(&emission.0), emission.span, "emission of", &material.name);
         brightest = brightest.max(emission);
     }
     // Kept where a reciprocal in f32 is a normal number.
@@ -60,10 +62,10 @@ pub(super) fn plain(scene: &Scene, light_unit: f64) -> Plain {
     for light in &scene.lights {
         match &light.value.value {
             scene::Light::Constant(constant) => {
-                plain.background += in_units(constant.radiance.0, light_unit);
+                plain.background += in_units(&constant.radiance.0, light_unit);
             }
             scene::Light::Directional(sun) => {
-                let irradiance = in_units(sun.irradiance.0, light_unit);
+                let irradiance = in_units(&sun.irradiance.0, light_unit);
                 let to_light = -sun.direction.0.as_vec3();
                 if !irradiance.is_black() {
                     plain

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use super::objects::Placed;
 use crate::diag::Span;
 use crate::math::{Rgb, Spectrum};
+use crate::optics::colour;
 use crate::render::materials::{Diffuse, Material};
 use crate::scene;
 
@@ -53,14 +54,18 @@ impl Table {
 fn material(material: &scene::Material, light_unit: f64) -> Material {
     match material {
         scene::Material::Diffuse(diffuse) => Material::Diffuse(Diffuse {
-            albedo: diffuse.albedo.0.rgb(),
-            emission: in_units(diffuse.emission.0, light_unit),
+            albedo: as_f32(colour::reflected(&diffuse.albedo.0)),
+            emission: in_units(&diffuse.emission.0, light_unit),
         }),
     }
 }
 
 /// What light a spectrum is, in light units.
-pub(super) fn in_units(spectrum: Spectrum, light_unit: f64) -> Rgb {
-    let [r, g, b] = spectrum.components().map(|component| (component / light_unit) as f32);
+pub(super) fn in_units(spectrum: &Spectrum, light_unit: f64) -> Rgb {
+    as_f32(colour::emitted(spectrum).map(|channel| channel / light_unit))
+}
+
+fn as_f32(channels: [f64; 3]) -> Rgb {
+    let [r, g, b] = channels.map(|channel| channel as f32);
     Rgb::new(r, g, b)
 }

@@ -14,7 +14,7 @@ use crate::math::{Spectrum, Transform};
 macro_rules! quantities {
     ($($(#[$doc:meta])* $name:ident: $variant:ident($inner:ty), $dimension:expr;)*) => {$(
         $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+        #[derive(Clone, Debug, PartialEq, Serialize)]
         pub struct $name(pub $inner);
 
         impl Vocabulary for $name {
@@ -22,7 +22,7 @@ macro_rules! quantities {
 
             fn lower(checked: &Checked) -> Self {
                 match checked {
-                    Checked::$variant(value) => Self(*value),
+                    Checked::$variant(value) => Self(value.clone()),
                     other => unchecked(stringify!($name), other),
                 }
             }
