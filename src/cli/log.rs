@@ -6,10 +6,13 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use super::limits::{self, percent};
 use super::options::Form;
 use super::terminal;
 use super::words::{counted, duration, grouped, rate, size};
 use crate::diag::harmless_text;
+use crate::measure::noise::Noise;
+use crate::run::Rule;
 
 /// Something that happened. Times are in seconds, sizes in bytes.
 #[derive(Debug, Serialize)]
@@ -36,7 +39,7 @@ pub enum Event {
         height: u64,
         film: [u64; 2],
         crop: Option<[u64; 4]>,
-        samples: u64,
+        limits: Rule,
         seed: u64,
     },
     /// Rays are being followed: `done` of `total` samples, of all pixels together, are taken. Told
@@ -51,11 +54,13 @@ pub enum Event {
         seconds: f64,
         rays_per_second: f64,
         peak_memory: Option<u64>,
+        error: Option<Error>,
+        stopped_by: &'static str,
     },
     /// Something about the picture that is no fault of the scene.
     Remark { render: String, text: String },
     /// It was asked to stop. `samples` of each pixel are in the picture, or in part of it.
-    Interrupted { render: String, samples: u64, of: u64, tiles: Option<[usize; 2]> },
+    Interrupted { render: String, samples: u64, of: Option<u64>, tiles: Option<[usize; 2]> },
     /// A file is complete.
     Written { render: String, file: String },
     /// Warnings and errors, as `scn lint --format json` writes them.
@@ -65,6 +70,33 @@ pub enum Event {
     },
     /// All is done.
     Done { pictures: usize, seconds: f64 },
+}
+
+/// How wrong a picture is by its noise: √relMSE, and the ends of its 95 % interval. `bound` if it is
+/// only known to be no more.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Error {
+    pub error: f64,
+    pub low: f64,
+    pub high: f64,
+    pub bound: bool,
+}
+
+impl Error {
+    /// In words of the field: a root mean square.
+    pub fn new(noise: &Noise, bound: bool) -> Self {
+        let [error, low, high] = [noise.relmse, noise.low, noise.high].map(f64::sqrt);
+        Self { error, low, high, bound }
+    }
+
+    fn told(&self) -> String {
+        let [error, low, high] = [self.error, self.low, self.high].map(percent);
+        if self.bound {
+            format!("at most about {error}, by the spread of single samples")
+        } else {
+            format!("{error}, with 95 % confidence {low} to {high}")
+        }
+    }
 }
 
 /// A file that was read.
@@ -141,8 +173,8 @@ fn human(event: &Event) -> String {
             let built = format!("in {}, {}", duration(*seconds), size(*bytes));
             format!("\n{render}\n") + &line("scene", &scene.join(", ")) + &line("built", &built)
         }
-        Event::Rendering { width, height, crop, samples, seed, .. } => {
-            let mut text = format!("{width} × {height}, {} a pixel", counted(*samples, "ray"));
+        Event::Rendering { width, height, crop, limits, seed, .. } => {
+            let mut text = format!("{width} × {height}, {}", limits::told(limits));
             if let Some([x0, y0, x1, y1]) = crop {
                 text.push_str(&format!(", columns {x0} to {x1} and rows {y0} to {y1} alone"));
             }
@@ -151,7 +183,16 @@ fn human(event: &Event) -> String {
             }
             line("picture", &text)
         }
-        Event::Rendered { rays, shadow_rays, seconds, peak_memory, .. } => {
+        Event::Rendered {
+            rays,
+            shadow_rays,
+            seconds,
+            peak_memory,
+            error,
+            stopped_by,
+            samples,
+            ..
+        } => {
             let mut all = counted(*rays, "ray");
             if *shadow_rays > 0 {
                 all.push_str(&format!(" and {}", counted(*shadow_rays, "shadow ray")));
@@ -161,6 +202,16 @@ fn human(event: &Event) -> String {
             if let Some(bytes) = peak_memory {
                 text.push_str(&line("memory", &format!("{} at most", size(*bytes))));
             }
+            if ["time", "error"].contains(stopped_by) {
+                let reached = counted(*samples, "ray");
+                text.push_str(&line(
+                    "stopped",
+                    &format!("by {stopped_by}, after {reached} a pixel"),
+                ));
+            }
+            if let Some(error) = error {
+                text.push_str(&line("error", &error.told()));
+            }
             text
         }
         // Told on stderr.
@@ -168,7 +219,12 @@ fn human(event: &Event) -> String {
         Event::Interrupted { samples, of, tiles, .. } => line(
             "stopped",
             &match tiles {
-                None => format!("after {} of {} samples a pixel", grouped(*samples), grouped(*of)),
+                None => match of {
+                    Some(of) => {
+                        format!("after {} of {} samples a pixel", grouped(*samples), grouped(*of))
+                    }
+                    None => format!("after {} a pixel", counted(*samples, "sample")),
+                },
                 Some([done, of]) => {
                     format!(
                         "in the first sample: {done} of {of} tiles have it, the others are black"

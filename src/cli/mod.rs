@@ -10,6 +10,7 @@ mod words;
 mod near;
 mod whose;
 mod bar;
+mod limits;
 mod log;
 mod output;
 mod picture;

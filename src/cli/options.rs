@@ -56,9 +56,16 @@ pub struct Render {
     /// Where pictures go: a folder, or for a single render a file ending in .exr or .png
     #[arg(short, long, value_name = "DIR | FILE.exr | FILE.png")]
     pub output: Option<PathBuf>,
-    /// Samples of each pixel, in place of what the scene says
+    /// Stop after so many samples of each pixel; in place of the scene's limits, as are --time and
+    /// --error
     #[arg(long, value_name = "N", value_parser = samples, allow_negative_numbers = true)]
     pub samples: Option<u64>,
+    /// Stop after so much time of rendering, such as `90s` or `5 min`
+    #[arg(long, value_name = "TIME", value_parser = time, allow_negative_numbers = true)]
+    pub time: Option<f64>,
+    /// Stop when the relative error is, with 95 % confidence, at most so much, such as `1%`
+    #[arg(long, value_name = "PART", value_parser = error, allow_negative_numbers = true)]
+    pub error: Option<f64>,
     /// Chooses all random numbers; the same seed gives the same picture
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
     pub seed: u64,
@@ -157,6 +164,34 @@ fn whole(text: &str, least: u64, most: u64) -> Result<u64, String> {
     number.ok_or_else(|| format!("write a whole number from {least} to {most}"))
 }
 
+/// Units of time, in seconds.
+const TIMES: [(&str, f64); 4] = [("ms", 1e-3), ("min", 60.0), ("s", 1.0), ("h", 3600.0)];
+
+fn time(text: &str) -> Result<f64, String> {
+    let unit = TIMES.iter().find_map(|(unit, seconds)| {
+        Some((text.strip_suffix(unit)?.trim().parse::<f64>().ok()?, *seconds))
+    });
+    match unit {
+        Some((number, seconds)) if number > 0.0 && (number * seconds).is_finite() => {
+            Ok(number * seconds)
+        }
+        Some(_) => Err("the time must be above 0".to_string()),
+        None => Err("write a time with its unit, ms, s, min or h, such as `90s`".to_string()),
+    }
+}
+
+fn error(text: &str) -> Result<f64, String> {
+    let number = match text.strip_suffix('%') {
+        Some(percent) => percent.trim().parse::<f64>().map(|percent| percent / 100.0),
+        None => text.parse(),
+    };
+    match number {
+        Ok(part) if part > 0.0 && part < 1.0 => Ok(part),
+        Ok(_) => Err("the error must be above 0 and below 1, which is 100%".to_string()),
+        Err(_) => Err("write a part, such as `1%` or `0.01`".to_string()),
+    }
+}
+
 fn scale(text: &str) -> Result<f64, String> {
     let factor: f64 = text.parse().map_err(|_| "write a number, such as 0.5".to_string())?;
     if factor > 0.0 && factor <= MAX_SCALE {
@@ -227,6 +262,13 @@ mod tests {
     #[test]
     fn numbers_out_of_range_are_refused_with_their_range() {
         for (arguments, words) in [
+            ("--time 5", "write a time with its unit, ms, s, min or h"),
+            ("--time 0s", "the time must be above 0"),
+            ("--time nanmin", "the time must be above 0"),
+            ("--time infh", "the time must be above 0"),
+            ("--error 100%", "the error must be above 0 and below 1"),
+            ("--error -1%", "the error must be above 0 and below 1"),
+            ("--error small", "write a part, such as `1%` or `0.01`"),
             ("--threads 0", "write a whole number from 1 to 4096"),
             ("--samples 0", "write a whole number from 1 to 4294967296"),
             ("--samples -3", "write a whole number from 1 to"),

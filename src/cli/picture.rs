@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::log::Error;
 use super::options::Render;
 use super::output::Paths;
 use super::words::counted;
@@ -9,18 +10,16 @@ use crate::files::{self, Failure, Metadata};
 use crate::load::Stage;
 use crate::prepare::ObjectNote;
 use crate::render::film::Film;
-use crate::run::Outcome;
+use crate::run::{LEAST_FOR_ERROR, MOST_DOUBTFUL, Outcome, Rule, Stopped};
 
 /// A picture with everything its files tell about it.
 pub struct Done<'a> {
     pub name: &'a str,
     pub stage: &'a Stage,
     pub seed: u64,
-    /// Samples that were asked for.
-    pub samples: u64,
+    /// When it was to be done.
+    pub rule: Rule,
     pub outcome: Outcome,
-    /// How long the rendering took.
-    pub seconds: f64,
 }
 
 impl Done<'_> {
@@ -38,11 +37,14 @@ impl Done<'_> {
                 .map_err(|failure| (path.clone(), failure))?;
         }
         if let Some(path) = &paths.exr {
+            let samples = film.samples(&self.outcome.taken);
+            let error = self.outcome.standard_error;
             let layers = files::exr::Layers {
                 film: film.size.map(|n| n as usize),
                 origin: [film.window.x0 as usize, film.window.y0 as usize],
                 main: self.outcome.picture,
-                named: Vec::new(),
+                named: error.into_iter().map(|error| ("error".to_string(), error)).collect(),
+                scalars: vec![("samples".to_string(), samples)],
             };
             files::exr::write(path, &layers, &metadata).map_err(|f| (path.clone(), f))?;
         }
@@ -60,7 +62,7 @@ impl Done<'_> {
         put("seed", self.seed.to_string());
         put("samples", self.outcome.samples.to_string());
         put("version", env!("CARGO_PKG_VERSION").to_string());
-        put("time", format!("{:.3}", self.seconds));
+        put("time", format!("{:.3}", self.outcome.seconds));
         let caption = &self.stage.scene.caption.0;
         if !caption.is_empty() {
             put("caption", caption.clone());
@@ -74,18 +76,40 @@ impl Done<'_> {
         if !options.set.is_empty() {
             put("set", options.set.join("\n"));
         }
-        if let Some(interrupted) = self.outcome.interrupted {
+        put("stopped_by", stopped_by(&self.outcome.stopped).to_string());
+        if let Some(noise) = self.outcome.noise {
+            let Error { error, low, high, .. } = Error::new(&noise, self.outcome.bound);
+            put("error", format!("{error:e}"));
+            put("error_interval", format!("{low:e},{high:e}"));
+            put("error_epsilon", format!("{:e}", noise.epsilon));
+        }
+        if let Some(schedule) = &self.outcome.schedule {
+            let ends: Vec<String> = schedule.iter().map(u64::to_string).collect();
+            put("schedule", ends.join(","));
+        }
+        if let Stopped::Interrupted { tiles } = self.outcome.stopped {
             put(
                 "interrupted",
-                match interrupted.tiles {
-                    None => format!("{} of {} samples", self.outcome.samples, self.samples),
-                    Some(tiles) => {
+                match (tiles, self.rule.samples) {
+                    (None, Some(of)) => format!("{} of {of} samples", self.outcome.samples),
+                    (None, None) => format!("after {} samples", self.outcome.samples),
+                    (Some(tiles), _) => {
                         format!("{} of {} tiles, the others black", tiles.done, tiles.of)
                     }
                 },
             );
         }
         all
+    }
+}
+
+/// Why a render ended, in a word.
+pub fn stopped_by(stopped: &Stopped) -> &'static str {
+    match stopped {
+        Stopped::Samples => "samples",
+        Stopped::Time => "time",
+        Stopped::Error => "error",
+        Stopped::Interrupted { .. } => "interruption",
     }
 }
 
@@ -106,6 +130,19 @@ pub fn remarks(outcome: &Outcome, objects: &[ObjectNote]) -> Vec<String> {
             first.sample,
             first.x,
             first.y,
+        ));
+    }
+    if let Some(noise) = outcome.noise
+        && outcome.samples >= LEAST_FOR_ERROR
+        && noise.doubtful_part > MOST_DOUBTFUL
+    {
+        let pixels = match noise.doubtful {
+            1 => "1 pixel owes".to_string(),
+            many => counted(many, "pixel") + " owe",
+        };
+        all.push(format!(
+            "{pixels} over a fifth of the light to one sample, and most of the error is theirs: \
+             rare bright samples, of which others may be still to come"
         ));
     }
     if outcome.clipped > 0 {

@@ -4,17 +4,19 @@ use std::collections::HashSet;
 use std::path::PathBuf;
 
 use super::bar::{Bar, Watcher};
-use super::log::{Event, Loaded, Log, shown};
+use super::limits::limits;
+use super::log::{Error, Event, Loaded, Log, shown};
 use super::near::{either, near};
 use super::options::{Form, Render};
 use super::output::Output;
 use super::{End, picture, scene_file, stop, terminal, whose};
 use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
 use crate::load::{Loader, Stage};
-use crate::prepare;
+use crate::prepare::{self, Prepared};
 use crate::render::film::Film;
 use crate::render::tiles::Threads;
-use crate::{files, lang, run};
+use crate::run::{self, Begin, Stopped, Until};
+use crate::{files, lang};
 
 pub fn run(options: &Render) -> End {
     stop::listen(options.quiet);
@@ -240,8 +242,8 @@ impl<'a> Session<'a> {
             return Err(End::Interrupted);
         }
 
-        let samples = self.options.samples.unwrap_or(stage.scene.stop.samples.0);
-        let settings = run::Settings { seed: self.options.seed, samples };
+        let rule = limits(self.options, &stage.scene.stop);
+        let settings = run::Settings { seed: self.options.seed, until: Until::Rule(rule) };
         let window = prepared.world.film.window;
         self.log.tell(&Event::Rendering {
             render: name.clone(),
@@ -249,14 +251,13 @@ impl<'a> Session<'a> {
             height: window.height(),
             film: prepared.world.film.size,
             crop: self.options.crop,
-            samples,
+            limits: rule,
             seed: settings.seed,
         });
         self.bar.begin(&format!("Rendering {name}"));
-        let begun = self.bar.seconds();
         let watcher = Watcher::new(&self.bar, self.log, name);
-        let outcome = run::render(&prepared.world, &prepared.integrator, &settings, &watcher);
-        let seconds = self.bar.seconds() - begun;
+        let Prepared { world, integrator, .. } = &prepared;
+        let outcome = run::render(world, integrator, &settings, Begin::new(world), &watcher);
         self.bar.end();
 
         self.log.tell(&Event::Rendered {
@@ -264,9 +265,12 @@ impl<'a> Session<'a> {
             samples: outcome.samples,
             rays: outcome.rays,
             shadow_rays: outcome.shadow_rays,
-            seconds,
-            rays_per_second: (outcome.rays + outcome.shadow_rays) as f64 / seconds.max(1e-9),
+            seconds: outcome.seconds,
+            rays_per_second: (outcome.rays + outcome.shadow_rays) as f64
+                / outcome.seconds.max(1e-9),
             peak_memory: files::memory::peak(),
+            error: outcome.noise.map(|noise| Error::new(&noise, outcome.bound)),
+            stopped_by: picture::stopped_by(&outcome.stopped),
         });
         for text in picture::remarks(&outcome, &prepared.objects) {
             if !self.options.quiet {
@@ -275,13 +279,13 @@ impl<'a> Session<'a> {
             }
             self.log.tell(&Event::Remark { render: name.clone(), text });
         }
-        let done = picture::Done { name, stage, seed: settings.seed, samples, outcome, seconds };
-        if let Some(interrupted) = done.outcome.interrupted {
-            let tiles = interrupted.tiles.map(|tiles| [tiles.done, tiles.of]);
+        let done = picture::Done { name, stage, seed: settings.seed, rule, outcome };
+        if let Stopped::Interrupted { tiles } = done.outcome.stopped {
+            let tiles = tiles.map(|tiles| [tiles.done, tiles.of]);
             self.log.tell(&Event::Interrupted {
                 render: name.clone(),
                 samples: done.outcome.samples,
-                of: samples,
+                of: rule.samples,
                 tiles,
             });
             if tiles.is_none_or(|[done, _]| done > 0) {

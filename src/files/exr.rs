@@ -32,12 +32,16 @@ pub struct Layers {
     pub main: Picture,
     /// Further pictures of the same size by name, sorted by it.
     pub named: Vec<(String, Picture)>,
+    /// Further values, one a pixel row by row from the top left, by name, sorted by it; channels
+    /// called `name.Y`.
+    pub scalars: Vec<(String, Vec<f32>)>,
 }
 
 impl Layers {
     /// A whole film without further layers.
     pub fn new(main: Picture) -> Self {
-        Self { film: [main.width, main.height], origin: [0, 0], main, named: Vec::new() }
+        let film = [main.width, main.height];
+        Self { film, origin: [0, 0], main, named: Vec::new(), scalars: Vec::new() }
     }
 }
 
@@ -48,6 +52,12 @@ pub fn write(path: &Path, layers: &Layers, metadata: &Metadata) -> Result<(), Fa
     for (name, picture) in &layers.named {
         assert_eq!([picture.width, picture.height], size, "layers are of one size");
         channels.extend(self::channels(&format!("{name}."), picture)?);
+    }
+    for (name, values) in &layers.scalars {
+        assert_eq!(values.len(), size[0] * size[1], "layers are of one size");
+        let name = format!("{name}.Y");
+        let samples = FlatSamples::F32(values.clone());
+        channels.push(AnyChannel::new(Text::from_slice_unchecked(name.as_bytes()), samples));
     }
     let [left, top] = window(layers.origin)?;
     let [width, height] = window(layers.film)?;
@@ -94,7 +104,8 @@ pub fn read(path: &Path) -> Result<(Layers, Metadata), Failure> {
     let main = main.ok_or_else(|| Failure::new("has no channels called R, G and B"))?;
     let (_, main) = pictures.remove(main);
     let film = [display.size.x(), display.size.y()];
-    Ok((Layers { film, origin: [left, top], main, named: pictures }, metadata))
+    let scalars = scalars(&layer.channel_data);
+    Ok((Layers { film, origin: [left, top], main, named: pictures, scalars }, metadata))
 }
 
 /// The channels of a picture, named with a prefix.
@@ -138,6 +149,18 @@ fn pictures(
         pictures.push((name, Picture { width, height, pixels }));
     }
     pictures
+}
+
+/// The values of channels called `name.Y`, by name.
+fn scalars(channels: &AnyChannels<FlatSamples>) -> Vec<(String, Vec<f32>)> {
+    let whole = channels.list.iter().filter(|channel| channel.sampling == Vec2(1, 1));
+    whole
+        .filter_map(|channel| {
+            let name = String::from_utf8_lossy(channel.name.as_slice()).into_owned();
+            let name = name.strip_suffix(".Y")?.to_string();
+            Some((name, channel.sample_data.values_as_f32().collect()))
+        })
+        .collect()
 }
 
 /// The text attributes, sorted by key.
@@ -215,6 +238,7 @@ mod tests {
             origin: [30, 7],
             main: ramp(37, 41, 0.1),
             named: vec![("albedo".into(), ramp(37, 41, 0.2)), ("normal".into(), ramp(37, 41, 3.0))],
+            scalars: vec![("samples".into(), (0..37 * 41).map(|i| i as f32).collect())],
         };
         let metadata: Metadata = vec![
             (

@@ -4,6 +4,7 @@
 
 #[cfg(test)]
 pub(crate) mod chi_squared;
+mod mean;
 mod mesh;
 mod picture;
 mod progress;
@@ -15,6 +16,7 @@ mod transform;
 pub mod units;
 pub mod warp;
 
+pub use mean::MeanPixel;
 pub use mesh::Mesh;
 pub use picture::Picture;
 pub use progress::{NoProgress, Progress};

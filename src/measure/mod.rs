@@ -4,6 +4,7 @@
 //! decides with it whether a renderer is right.
 
 pub mod statistics;
+pub mod noise;
 mod pair;
 mod planes;
 mod errors;

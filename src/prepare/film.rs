@@ -5,7 +5,8 @@ use std::fmt;
 use super::Settings;
 use super::errors::scene as errors;
 use crate::diag::Diagnostic;
-use crate::render::film::{Filter, Total, Window};
+use crate::render::film::{Filter, Taken, Window};
+use crate::render::samplers::Rhythm;
 use crate::scene::{self, Scene};
 
 /// Settings that do not suit the film. Shown as a sentence without full stop.
@@ -74,18 +75,21 @@ const MOST_BYTES: u64 = 16 << 30;
 /// Refuses a film that would fill the memory.
 pub(super) fn check(scene: &Scene, settings: &Settings, found: &mut Vec<Diagnostic>) {
     let Ok((_, window)) = window(&scene.film, settings) else { return };
-    let bytes = window.pixels().saturating_mul(bytes_a_pixel(scene.stop.samples.0));
+    let samples = scene.stop.most_samples().unwrap_or(SAMPLES_UNTOLD);
+    let rhythm = super::integrator::sampler(&scene.sampler).rhythm();
+    let bytes = window.pixels().saturating_mul(bytes_a_pixel(samples, rhythm));
     if bytes > MOST_BYTES {
         let size = [window.width(), window.height()];
         found.push(errors::film_too_large(scene.film.size.span, size, bytes, MOST_BYTES));
     }
 }
 
-/// Sums of a pixel: those of the last pass, of the one at work, of the total and of each digit of
-/// the counter of blocks; and its colour in the picture.
-fn bytes_a_pixel(samples: u64) -> u64 {
-    let sums = 3 + u64::from(Total::digits_after(samples));
-    sums * size_of::<[f64; 3]>() as u64 + size_of::<crate::math::Rgb>() as u64
+/// Where time or error decide, memory is counted for so many samples a pixel.
+const SAMPLES_UNTOLD: u64 = 1 << 20;
+
+/// Sums of a pixel, its colour and its standard error.
+fn bytes_a_pixel(samples: u64, rhythm: Rhythm) -> u64 {
+    Taken::bytes_a_pixel(samples, rhythm) + 2 * size_of::<crate::math::Rgb>() as u64
 }
 
 /// How samples are weighed.

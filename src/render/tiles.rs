@@ -6,9 +6,10 @@
 use std::ops::Range;
 
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::World;
-use super::film::Tile;
+use super::film::{Begun, Taken, Tile};
 use super::geometry::Ray;
 use super::samplers::Stream;
 use crate::math::Rgb;
@@ -17,24 +18,16 @@ use crate::math::Rgb;
 pub struct Job<'a> {
     /// Chooses all random numbers.
     pub seed: u64,
-    /// Samples of every pixel, counted from the first of the whole render.
+    /// Samples of every pixel, counted from the first of the whole render; all of one block.
     pub samples: Range<u64>,
-    /// Sums to go on from, tile by tile; None: from zero.
-    pub from: Option<&'a [TileSums]>,
+    /// Which tiles of the film are to have them.
+    pub tiles: &'a [usize],
+    /// What was taken before, up to these samples.
+    pub taken: &'a Taken,
     /// Asked before each tile: whether to leave the rest undone.
     pub cancelled: &'a (dyn Fn() -> bool + Sync),
     /// Told after each tile how many samples were taken in it.
     pub advance: &'a (dyn Fn(u64) + Sync),
-}
-
-/// Weighted sums of radiance over samples, in light units: one for each pixel of a tile, row by
-/// row from the top left.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TileSums {
-    /// Red, green and blue.
-    pub pixels: Vec<[f64; 3]>,
-    /// What was counted on the way.
-    pub counts: Counts,
 }
 
 /// What one sample found.
@@ -47,7 +40,7 @@ pub struct Sample {
 }
 
 /// What is counted while samples are taken.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counts {
     /// Rays from the camera.
     pub rays: u64,
@@ -58,7 +51,7 @@ pub struct Counts {
 }
 
 /// Samples that were not finite. They count as black.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Invalid {
     /// How many.
     pub count: u64,
@@ -67,7 +60,7 @@ pub struct Invalid {
 }
 
 /// A sample's place. Ordered by pixel in reading order of the whole film, then by sample.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Place {
     /// Row of the whole film, from the top.
     pub y: u64,
@@ -93,22 +86,22 @@ impl Counts {
     }
 }
 
-/// Takes the job's samples of every pixel of the film's window. A tile is None if the job was
-/// cancelled before it.
-pub fn pass<F>(world: &World, job: &Job, radiance: F) -> Vec<Option<TileSums>>
+/// Takes the job's samples of every pixel of its tiles: the sums of each tile's block, with what
+/// was taken before. A tile is None if the job was cancelled before it.
+pub fn pass<F>(world: &World, job: &Job, radiance: F) -> Vec<Option<Begun>>
 where
     F: Fn(&Ray, &mut Stream, &mut Counts) -> Sample + Sync,
 {
     let tiles = world.film.tiles();
-    (0..tiles.len())
-        .into_par_iter()
+    job.tiles
+        .par_iter()
         .with_max_len(1)
-        .map(|index| {
+        .map(|&index| {
             if (job.cancelled)() {
                 return None;
             }
             let tile = &tiles[index];
-            let sums = one(world, job, tile, job.from.map(|from| &from[index]), &radiance);
+            let sums = one(world, job, tile, job.taken.begun(index), &radiance);
             (job.advance)(tile.pixels() * (job.samples.end - job.samples.start));
             Some(sums)
         })
@@ -116,34 +109,37 @@ where
 }
 
 /// The samples of one tile.
-fn one<F>(world: &World, job: &Job, tile: &Tile, from: Option<&TileSums>, radiance: &F) -> TileSums
+fn one<F>(world: &World, job: &Job, tile: &Tile, from: Option<&Begun>, radiance: &F) -> Begun
 where
     F: Fn(&Ray, &mut Stream, &mut Counts) -> Sample,
 {
-    let fresh = || vec![[0.0; 3]; tile.pixels() as usize];
-    let mut pixels = from.map_or_else(fresh, |sums| sums.pixels.clone());
-    let mut counts = from.map_or_else(Counts::default, |sums| sums.counts);
-    for ((x, y), sum) in tile.places().zip(&mut pixels) {
-        for sample in job.samples.clone() {
+    let rhythm = world.sampler.rhythm();
+    let (block, first) = (job.samples.start / rhythm.block, job.samples.start % rhythm.block);
+    let fresh = || Begun::new(tile.pixels() as usize, block, rhythm);
+    let mut begun = from.cloned().unwrap_or_else(fresh);
+    let mut counts = *begun.counts();
+    for (index, (x, y)) in tile.places().enumerate() {
+        let mut pixel = begun.pixel(index);
+        for (nth, sample) in (first..).zip(job.samples.clone()) {
             let mut stream = world.sampler.stream(job.seed, world.film.index(x, y), sample);
             let (dx, dy, weight) = world.film.filter.sample(stream.pair());
             let ray = world.camera.ray(x as f64 + 0.5 + dx, y as f64 + 0.5 + dy);
             counts.rays += 1;
             let found = radiance(&ray, &mut stream, &mut counts);
-            if !found.radiance.is_finite() {
+            let value = if found.radiance.is_finite() {
+                found.radiance.to_array().map(|component| weight * f64::from(component))
+            } else {
                 let first = Place { y, x, sample, object: found.object };
-                counts.add(&Counts {
-                    invalid: Some(Invalid { count: 1, first }),
-                    ..Counts::default()
-                });
-                continue;
-            }
-            for (sum, component) in sum.iter_mut().zip(found.radiance.to_array()) {
-                *sum += weight * f64::from(component);
-            }
+                let invalid = Some(Invalid { count: 1, first });
+                counts.add(&Counts { invalid, ..Counts::default() });
+                [0.0; 3]
+            };
+            pixel.add(value, nth, rhythm);
         }
+        begun.put(index, &pixel);
     }
-    TileSums { pixels, counts }
+    *begun.counts() = counts;
+    begun
 }
 
 /// A pool of so many threads, in place of one for each processor.

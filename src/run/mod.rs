@@ -1,27 +1,63 @@
-//! A render as a sequence of passes: World and a number of samples → picture.
+//! A render as a sequence of passes: World and a stop rule → picture, and how wrong it is.
 //!
 //! Clocks and observers are handed in. Between passes and tiles a render can be cancelled; how it
-//! is cut into passes shows in nothing but the time it takes to answer.
+//! is cut into passes shows in nothing but the time it takes to answer. What was taken can be kept
+//! between passes and gone on from later, to the same bits.
 
+mod judge;
 mod pace;
+mod rule;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::math::Picture;
+use crate::measure::noise::Noise;
 use crate::render::World;
-use crate::render::film::{self, BLOCK, Sums, Total};
+use crate::render::film::Taken;
 use crate::render::integrators::Integrator;
-use crate::render::tiles::{Invalid, Job, TileSums};
+use crate::render::tiles::{Invalid, Job};
 
+pub use rule::{LEAST_FOR_ERROR, MOST_DOUBTFUL, Rule, Until, first_check};
+
+use judge::Judgement;
 use pace::Pace;
+use rule::Decision;
 
 /// What a picture depends on beside the world.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Chooses all random numbers.
     pub seed: u64,
-    /// Samples of each pixel, at least 1.
-    pub samples: u64,
+    /// When the picture is done.
+    pub until: Until,
+}
+
+impl Settings {
+    /// So many samples of each pixel, at least 1.
+    pub fn samples(seed: u64, samples: u64) -> Self {
+        Self { seed, until: Until::Rule(Rule { samples: Some(samples), ..Rule::default() }) }
+    }
+}
+
+/// Where a render goes on from.
+#[derive(Clone, Debug)]
+pub struct Begin {
+    /// What was taken before; nothing, for a new render.
+    pub taken: Taken,
+    /// Seconds that it took.
+    pub seconds: f64,
+}
+
+impl Begin {
+    /// From the first sample.
+    pub fn new(world: &World) -> Self {
+        Self::at(world, 0)
+    }
+
+    /// From that sample, which begins a block.
+    pub fn at(world: &World, first: u64) -> Self {
+        Self { taken: Taken::new(&world.film, world.sampler.rhythm(), first), seconds: 0.0 }
+    }
 }
 
 /// Whoever watches a render. Called from any thread.
@@ -30,19 +66,34 @@ pub trait Watch: Sync {
     fn cancelled(&self) -> bool;
     /// Seconds since any fixed moment; never goes back.
     fn now(&self) -> f64;
-    /// `done` of `total` samples, of all pixels together, are taken. Called after each tile.
+    /// `done` of about `total` samples, of all pixels together, are taken. Called after each tile.
+    /// The total is a guess where time or error decide.
     fn progress(&self, done: u64, total: u64);
+    /// A pass is over: what is taken so far, in that many seconds. It can be gone on from.
+    fn passed(&self, _taken: &Taken, _seconds: f64) {}
 }
 
 /// What a render came to.
 #[derive(Clone, Debug)]
 pub struct Outcome {
-    /// Radiance in W/m²/sr, finite, of the film's window alone; the mean of `samples` samples.
+    /// Radiance in W/m²/sr, finite, of the film's window alone.
     pub picture: Picture,
-    /// Samples of each pixel in the picture. 0: cancelled before each pixel had its first.
+    /// Standard error of each pixel, likewise; None where nothing is known of it: it takes two
+    /// samples.
+    pub standard_error: Option<Picture>,
+    /// How wrong the picture is by its noise; None where nothing is known of it.
+    pub noise: Option<Noise>,
+    /// Whether the errors are only bounds from above: the sampler spread all samples together.
+    pub bound: bool,
+    /// Samples of each pixel; of the pixels that have most, if tiles differ. 0: cancelled before
+    /// each pixel had its first.
     pub samples: u64,
-    /// Set if it was cancelled before all samples were taken.
-    pub interrupted: Option<Interrupted>,
+    /// Samples of each tile's pixels, where tiles differ.
+    pub schedule: Option<Vec<u64>>,
+    /// Why it ended.
+    pub stopped: Stopped,
+    /// Seconds of rendering, of earlier parts too.
+    pub seconds: f64,
     /// Rays from the camera that went into the picture.
     pub rays: u64,
     /// Rays to lamps that went into the picture.
@@ -51,14 +102,25 @@ pub struct Outcome {
     pub invalid: Option<Invalid>,
     /// Pixels too bright for f32, which stand at its largest number.
     pub clipped: u64,
+    /// What was taken, to go on from; tiles without a sample stand at its first.
+    pub taken: Taken,
 }
 
-/// How far a cancelled render came beyond whole passes.
+/// Why a render ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Interrupted {
-    /// Tiles with light in them, when it was cancelled in the first pass: the others are black.
-    /// None if every pixel has `Outcome::samples` samples.
-    pub tiles: Option<Finished>,
+pub enum Stopped {
+    /// All samples that were asked for are taken.
+    Samples,
+    /// The time is over.
+    Time,
+    /// The error is small enough.
+    Error,
+    /// It was cancelled.
+    Interrupted {
+        /// Tiles with light in them, when it was cancelled in the first pass: the others are
+        /// black. None if every pixel has `Outcome::samples` samples.
+        tiles: Option<Finished>,
+    },
 }
 
 /// How many of some are finished.
@@ -70,85 +132,91 @@ pub struct Finished {
     pub of: usize,
 }
 
-/// Takes all samples of all pixels of the film's window, or as many as there is time for.
+/// Takes samples of all pixels of the film's window until the rule binds, or it is cancelled.
 pub fn render(
     world: &World,
     integrator: &Integrator,
     settings: &Settings,
+    begin: Begin,
     watch: &dyn Watch,
 ) -> Outcome {
-    let pixels = world.film.window.pixels();
-    let total = pixels.saturating_mul(settings.samples);
-    let taken = AtomicU64::new(0);
-    let advance = |samples: u64| {
-        let before = taken.fetch_add(samples, Ordering::Relaxed);
-        watch.progress((before + samples).min(total), total);
-    };
-    let cancelled = || watch.cancelled();
-
-    let mut blocks = Total::default();
-    let mut begun: Option<Sums> = None;
-    let mut done = 0;
+    let Begin { mut taken, seconds: before } = begin;
+    let tiles = world.film.tiles();
+    let begun = watch.now();
+    let seconds = || before + (watch.now() - begun);
     let mut pace = Pace::new();
-    while done < settings.samples {
-        let left = (settings.samples - done).min(BLOCK - done % BLOCK);
-        let samples = done..done + pace.samples().min(left);
-        let start = watch.now();
+    let mut judged: Option<Judgement> = None;
+    let stopped = loop {
+        let left = match settings.until.decide(world, &taken, &mut judged, seconds()) {
+            Decision::Stop(stopped) => break stopped,
+            Decision::Take(left) => left,
+        };
+        let rhythm = world.sampler.rhythm();
+        let start = taken.end(left.tiles[0]);
+        let longest = left.until.min((start / rhythm.block + 1) * rhythm.block) - start;
+        let samples = start..start + pace.samples(left.seconds).min(longest);
+
+        let pixels = |tile: &usize| tiles[*tile].pixels();
+        let all: u64 = (0..tiles.len()).map(|i| (taken.end(i) - taken.first()) * pixels(&i)).sum();
+        let here: u64 = left.tiles.iter().map(pixels).sum();
+        let total = all.saturating_add(here.saturating_mul(left.expected.saturating_sub(start)));
+        let done = AtomicU64::new(all);
+        let advance = |samples: u64| {
+            let done = done.fetch_add(samples, Ordering::Relaxed) + samples;
+            watch.progress(done, total.max(done));
+        };
         let job = Job {
             seed: settings.seed,
             samples: samples.clone(),
-            from: begun.as_deref(),
-            cancelled: &cancelled,
+            tiles: &left.tiles,
+            taken: &taken,
+            cancelled: &|| watch.cancelled(),
             advance: &advance,
         };
-        let tiles = integrator.pass(world, &job);
-        if tiles.iter().any(Option::is_none) {
-            if done == 0 {
-                return first_pass_alone(world, tiles, samples.end);
+        let pass_begun = watch.now();
+        let sums = integrator.pass(world, &job);
+        let finished = sums.iter().flatten().count();
+        let first = start == taken.first();
+        // The tiles that were finished are dropped, so that those at work have the same samples;
+        // but not in the first pass, where they are all there is.
+        if finished < sums.len() && !first {
+            break Stopped::Interrupted { tiles: None };
+        }
+        for (tile, sums) in left.tiles.iter().zip(sums) {
+            if let Some(sums) = sums {
+                taken.put(*tile, sums, samples.end);
             }
-            // The tiles that were finished are dropped: each pixel has the same samples.
-            break;
         }
-        pace.took(samples.end - done, watch.now() - start);
-        done = samples.end;
-        let sums = tiles.into_iter().flatten().collect();
-        if done % BLOCK == 0 {
-            blocks.push(sums);
-            begun = None;
-        } else {
-            begun = Some(sums);
+        if finished < left.tiles.len() {
+            let tiles = Finished { done: finished, of: left.tiles.len() };
+            break Stopped::Interrupted { tiles: Some(tiles) };
         }
-    }
-
-    let sums = blocks.with(begun.as_ref()).unwrap_or_default();
-    let tiles: Vec<_> = sums.into_iter().map(Some).collect();
-    let interrupted = (done < settings.samples).then_some(Interrupted { tiles: None });
-    outcome(world, &tiles, done, done, interrupted)
+        pace.took(samples.end - start, watch.now() - pass_begun);
+        watch.passed(&taken, seconds());
+    };
+    outcome(world, taken, stopped, seconds())
 }
 
-/// The finished tiles of a first pass, which took so many samples.
-fn first_pass_alone(world: &World, tiles: Vec<Option<TileSums>>, samples: u64) -> Outcome {
-    let done = tiles.iter().flatten().count();
-    let finished = Finished { done, of: tiles.len() };
-    outcome(world, &tiles, samples, 0, Some(Interrupted { tiles: Some(finished) }))
-}
-
-fn outcome(
-    world: &World,
-    tiles: &[Option<TileSums>],
-    taken: u64,
-    samples: u64,
-    interrupted: Option<Interrupted>,
-) -> Outcome {
-    let counts = film::counts(tiles.iter().flatten());
-    let developed = world.film.develop(tiles.iter().map(Option::as_ref), taken, world.light_unit);
+/// What was taken, as a picture: of a render that ended so after that many seconds.
+pub fn outcome(world: &World, taken: Taken, stopped: Stopped, seconds: f64) -> Outcome {
+    let counts = taken.counts();
+    let developed = world.film.develop(&taken, world.light_unit);
+    let judged = judge::judge(world, &taken);
+    let most = taken.ends().max().unwrap_or(0) - taken.first();
+    let least = taken.ends().min().unwrap_or(0) - taken.first();
     Outcome {
         picture: developed.picture,
-        samples,
-        interrupted,
+        standard_error: developed.standard_error,
+        noise: judged.as_ref().map(Judgement::whole),
+        bound: judged.is_some_and(|judged| judged.bound),
+        samples: if least == 0 { 0 } else { most },
+        schedule: (least != most).then(|| taken.ends().map(|end| end - taken.first()).collect()),
+        stopped,
+        seconds,
         rays: counts.rays,
         shadow_rays: counts.shadow_rays,
         invalid: counts.invalid,
         clipped: developed.clipped,
+        taken,
     }
 }

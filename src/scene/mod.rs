@@ -29,6 +29,6 @@ pub use sampler::{Independent, Sampler, Stratified};
 pub use stop::Stop;
 pub use values::{
     Angle, Count, Direction, Exposure, FileName, Irradiance, Length, Number, Place, Point,
-    Radiance, Ref, Reflectance, Size, Step, Switch, Text,
+    Radiance, Ref, Reflectance, Size, Step, Switch, Text, Time,
 };
 pub use whole::{Items, KINDS, KindOf, Named, Scene};

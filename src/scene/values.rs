@@ -35,6 +35,8 @@ quantities! {
     Number: Number(f64), Dimension::NONE;
     /// A length in metres.
     Length: Number(f64), Dimension::LENGTH;
+    /// A time in seconds.
+    Time: Number(f64), Dimension::TIME;
     /// An angle in radians.
     Angle: Number(f64), Dimension::ANGLE;
     /// An exposure in stops: +1 doubles.

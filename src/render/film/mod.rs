@@ -1,12 +1,17 @@
 //! Film: which pixels there are, and what samples become.
 
+mod begun;
+mod develop;
 mod filter;
 mod sums;
 mod table;
+mod taken;
 mod window;
 
+pub use begun::Begun;
+pub use develop::Developed;
 pub use filter::Filter;
-pub use sums::{BLOCK, Developed, Sums, Total, counts};
+pub use taken::{Taken, TileMeans};
 pub use window::{Tile, Window};
 
 /// The picture that is to be taken.

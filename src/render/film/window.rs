@@ -42,6 +42,11 @@ impl Window {
         (y0..y1).flat_map(move |y| (x0..x1).map(move |x| (x, y)))
     }
 
+    /// Tiles in each row of them.
+    pub fn tile_columns(&self) -> usize {
+        self.width().div_ceil(TILE) as usize
+    }
+
     /// Tiles that cover it, row by row.
     pub(super) fn tiles(&self) -> Vec<Tile> {
         let steps = |from: u64, to: u64| (from..to).step_by(TILE as usize);

@@ -8,9 +8,10 @@ pub use direct::{AreaLights, Direct};
 pub use preview::Preview;
 
 use super::World;
+use super::film::Begun;
 use super::geometry::Ray;
 use super::samplers::Stream;
-use super::tiles::{self, Counts, Job, Sample, TileSums};
+use super::tiles::{self, Counts, Job, Sample};
 
 /// How light is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,7 +25,7 @@ pub enum Integrator {
 impl Integrator {
     /// One pass over the picture; see [`tiles::pass`]. The choice is made here, once a pass, so
     /// that each integrator has a tile loop compiled for it.
-    pub fn pass(&self, world: &World, job: &Job) -> Vec<Option<TileSums>> {
+    pub fn pass(&self, world: &World, job: &Job) -> Vec<Option<Begun>> {
         match self {
             Self::Direct(direct) => tiles::pass(world, job, |ray, stream, counts| {
                 direct.radiance(world, ray, stream, counts)

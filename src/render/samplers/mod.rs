@@ -2,6 +2,8 @@
 //! dimension); two dimensions are stratified together, dimensions among each other are not
 //! (padding: an independent shuffle each).
 
+use serde::{Deserialize, Serialize};
+
 use crate::math::random;
 
 /// Where the random numbers come from.
@@ -16,7 +18,28 @@ pub enum Sampler {
     },
 }
 
+/// How samples belong together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Rhythm {
+    /// So many samples are spread evenly together; only rounds are independent of each other.
+    pub round: u64,
+    /// Whole rounds, at least two, that are summed apart from others: what a render is cut into.
+    pub block: u64,
+}
+
+/// A block has at least so many samples. Changing it changes the last bits of every picture.
+const LEAST_BLOCK: u64 = 64;
+
 impl Sampler {
+    /// How samples belong together.
+    pub fn rhythm(&self) -> Rhythm {
+        let round = match *self {
+            Self::Independent => 1,
+            Self::Stratified { grid } => u64::from(grid) * u64::from(grid),
+        };
+        Rhythm { round, block: LEAST_BLOCK.max(2 * round).next_multiple_of(round) }
+    }
+
     /// The numbers of one sample of one pixel. `pixel` counts through the whole film, so that a
     /// crop sees the numbers the whole picture sees.
     pub fn stream(&self, seed: u64, pixel: u64, sample: u64) -> Stream {

@@ -1,0 +1,270 @@
+//! The samples taken so far, tile by tile, in an order that nothing can change.
+//!
+//! Samples form fixed blocks. Within a block a pixel's samples are added round by round; blocks are
+//! added in one fixed binary tree, of which the whole branches are kept. So a sum depends on which
+//! samples went into it alone, not on how they were cut into passes, shards or sessions, and it errs
+//! like a block and log₂(blocks) roundings of f64 instead of one for each sample.
+
+use serde::{Deserialize, Serialize};
+
+use super::begun::Begun;
+use super::sums::Sums;
+use super::{Film, Tile};
+use crate::math::MeanPixel;
+use crate::render::samplers::Rhythm;
+use crate::render::tiles::Counts;
+
+/// What was taken of a film, or of a slice of its samples.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Taken {
+    /// The first sample: a whole number of blocks, 0 but for a slice.
+    first: u64,
+    rhythm: Rhythm,
+    /// In the order of [`Film::tiles`].
+    tiles: Vec<TileTaken>,
+}
+
+/// What was taken of one tile.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct TileTaken {
+    /// One past the last sample taken, counted from the first of the whole render.
+    end: u64,
+    /// Whole branches of the tree over blocks, from the first block to the last.
+    branches: Vec<Branch>,
+    /// The block after these, if it is begun.
+    begun: Option<Begun>,
+}
+
+/// The sums of the 2ˡᵉᵛᵉˡ blocks from index · 2ˡᵉᵛᵉˡ on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct Branch {
+    level: u32,
+    index: u64,
+    sums: Sums,
+}
+
+impl Branch {
+    fn rounds(&self, rhythm: Rhythm) -> u64 {
+        (rhythm.block / rhythm.round) << self.level
+    }
+}
+
+/// What the samples of a tile tell of its pixels.
+#[derive(Clone, Debug)]
+pub struct TileMeans {
+    /// Where it lies on the film.
+    pub tile: Tile,
+    /// Samples of each pixel; 0: there are none, and the means are 0.
+    pub samples: u64,
+    /// Degrees of freedom of each variance. 0: nothing is known of it, and it is 0.
+    pub freedom: u64,
+    /// Whether the variances are only bounds from above: there are no two rounds yet.
+    pub bound: bool,
+    /// Row by row from the top left, in W/m²/sr.
+    pub pixels: Vec<MeanPixel>,
+}
+
+impl Taken {
+    /// Nothing yet, of samples from `first` on, which is a whole number of blocks.
+    pub fn new(film: &Film, rhythm: Rhythm, first: u64) -> Self {
+        assert!(first.is_multiple_of(rhythm.block), "slices are of whole blocks");
+        let nothing = TileTaken { end: first, branches: Vec::new(), begun: None };
+        Self { first, rhythm, tiles: vec![nothing; film.tiles().len()] }
+    }
+
+    /// Whether this can be of such a film, and all parts of it fit together: to be asked of what
+    /// was read from a file.
+    pub fn fits(&self, film: &Film, rhythm: Rhythm) -> bool {
+        let tiles = film.tiles();
+        let whole = |tile: &Tile, taken: &TileTaken| {
+            let pixels = tile.pixels() as usize;
+            let mut block = self.first / rhythm.block;
+            let last = taken.end / rhythm.block;
+            let branches = taken.branches.iter().all(|branch| {
+                let blocks = 1_u64.checked_shl(branch.level).unwrap_or(u64::MAX);
+                let start = branch.index.checked_mul(blocks);
+                let end = block.saturating_add(blocks);
+                let fits = start == Some(block) && end <= last && branch.sums.fits(pixels);
+                block = end;
+                fits
+            });
+            let begun = taken.end.checked_sub(block.saturating_mul(rhythm.block));
+            branches
+                && match (&taken.begun, begun) {
+                    (None, begun) => begun == Some(0),
+                    (Some(sums), Some(begun)) => {
+                        let like = Begun::new(pixels, block, rhythm);
+                        (1..rhythm.block).contains(&begun)
+                            && sums.whole.fits(pixels)
+                            && sums.part.len() == like.part.len()
+                            && sums.within.len() == like.within.len()
+                    }
+                    (Some(_), None) => false,
+                }
+        };
+        self.rhythm == rhythm
+            && self.first.is_multiple_of(rhythm.block)
+            && self.tiles.len() == tiles.len()
+            && tiles.iter().zip(&self.tiles).all(|(tile, taken)| whole(tile, taken))
+    }
+
+    /// The first sample: 0 but for a slice.
+    pub fn first(&self) -> u64 {
+        self.first
+    }
+
+    /// One past the last sample of a tile.
+    pub fn end(&self, tile: usize) -> u64 {
+        self.tiles[tile].end
+    }
+
+    /// How many tiles there are.
+    pub fn tiles(&self) -> usize {
+        self.tiles.len()
+    }
+
+    /// One past the last sample of each tile.
+    pub fn ends(&self) -> impl Iterator<Item = u64> {
+        self.tiles.iter().map(|tile| tile.end)
+    }
+
+    /// The sums that the next samples of a tile go on from; None at the beginning of a block.
+    pub fn begun(&self, tile: usize) -> Option<&Begun> {
+        self.tiles[tile].begun.as_ref()
+    }
+
+    /// Puts the sums of a tile's block in, which has samples up to `end` now.
+    pub fn put(&mut self, tile: usize, begun: Begun, end: u64) {
+        let rhythm = self.rhythm;
+        let taken = &mut self.tiles[tile];
+        taken.end = end;
+        if end.is_multiple_of(rhythm.block) {
+            let branch = Branch { level: 0, index: end / rhythm.block - 1, sums: begun.whole };
+            taken.begun = None;
+            push(&mut taken.branches, branch, rhythm);
+        } else {
+            taken.begun = Some(begun);
+        }
+    }
+
+    /// Adds the slice that follows, of the same film. None if it does not follow at once.
+    pub fn join(mut self, next: Self) -> Option<Self> {
+        let follows = self.rhythm == next.rhythm
+            && self.tiles.len() == next.tiles.len()
+            && self.tiles.iter().all(|tile| tile.begun.is_none() && tile.end == next.first);
+        if !follows {
+            return None;
+        }
+        for (tile, next) in self.tiles.iter_mut().zip(next.tiles) {
+            for branch in next.branches {
+                push(&mut tile.branches, branch, self.rhythm);
+            }
+            tile.begun = next.begun;
+            tile.end = next.end;
+        }
+        Some(self)
+    }
+
+    /// What was counted in all tiles.
+    pub fn counts(&self) -> Counts {
+        let mut all = Counts::default();
+        for tile in &self.tiles {
+            tile.branches.iter().for_each(|branch| all.add(&branch.sums.counts));
+            tile.begun.iter().for_each(|begun| all.add(&begun.whole.counts));
+        }
+        all
+    }
+
+    /// Bytes a pixel while a render goes on to so many samples: the sums kept, those of the pass
+    /// at work, and those being added at the end.
+    pub fn bytes_a_pixel(samples: u64, rhythm: Rhythm) -> u64 {
+        let sums = (2 * size_of::<[f64; 3]>() + size_of::<[f32; 3]>()) as u64;
+        let begun = if rhythm.round > 1 { 2 * size_of::<[f64; 3]>() as u64 } else { 0 };
+        let branches = u64::from(u64::BITS - (samples / rhythm.block).leading_zeros());
+        (branches + 3) * sums + 2 * begun
+    }
+
+    /// What the samples tell, tile by tile; `light_unit` as in [`crate::render::World`].
+    pub fn means<'a>(
+        &'a self,
+        film: &Film,
+        light_unit: f64,
+    ) -> impl Iterator<Item = TileMeans> + use<'a> {
+        let tiles = film.tiles();
+        (0..tiles.len()).map(move |index| self.tile_means(index, tiles[index], light_unit))
+    }
+
+    fn tile_means(&self, index: usize, tile: Tile, light_unit: f64) -> TileMeans {
+        let taken = &self.tiles[index];
+        let samples = taken.end - self.first;
+        let pixels = tile.pixels() as usize;
+        let Some((sums, rounds)) = self.sums(taken) else {
+            let pixels = vec![MeanPixel::default(); pixels];
+            return TileMeans { tile, samples: 0, freedom: 0, bound: false, pixels };
+        };
+        let n = samples as f64;
+        let round = self.rhythm.round as f64;
+        let within = taken.begun.as_ref().filter(|begun| rounds < 2 && !begun.within.is_empty());
+        // The variance of the mean, from Σ(y − mean)² of rounds, or of samples.
+        let (squares, per_square, freedom) = match within {
+            Some(begun) => (&begun.within, 1.0 / (n * (n - 1.0)), samples.saturating_sub(1)),
+            None => {
+                let k = rounds as f64;
+                (&sums.squares, 1.0 / ((k - 1.0) * round * n), rounds.saturating_sub(1))
+            }
+        };
+        let part = taken.begun.as_ref().map(|begun| &begun.part);
+        let pixel = |i: usize| {
+            let part = part.and_then(|part| part.get(i)).copied().unwrap_or_default();
+            let each = |value: &dyn Fn(usize) -> f64| [value(0), value(1), value(2)];
+            let scale = light_unit / n;
+            MeanPixel {
+                mean: each(&|c| (sums.sums[i][c] + part[c]) * scale),
+                variance: match freedom {
+                    0 => [0.0; 3],
+                    _ => each(&|c| squares[i][c] * per_square * light_unit * light_unit),
+                },
+                largest: each(&|c| f64::from(sums.largest[i][c]) * scale),
+            }
+        };
+        TileMeans {
+            tile,
+            samples,
+            freedom,
+            bound: within.is_some(),
+            pixels: (0..pixels).map(pixel).collect(),
+        }
+    }
+
+    /// The sum of everything: of a block begun, if there is one, and the branches, small before
+    /// large; and the rounds that are whole. None if there is nothing.
+    fn sums(&self, taken: &TileTaken) -> Option<(Sums, u64)> {
+        let block = self.rhythm.block;
+        let begun_rounds = (taken.end % block) / self.rhythm.round;
+        let begun = taken.begun.as_ref().map(|begun| (&begun.whole, begun_rounds));
+        let branches = taken.branches.iter().rev();
+        let mut parts =
+            begun.into_iter().chain(branches.map(|it| (&it.sums, it.rounds(self.rhythm))));
+        let (first, mut rounds) = parts.next()?;
+        let mut sums = first.clone();
+        for (part, others) in parts {
+            sums.add(rounds, part, others);
+            rounds += others;
+        }
+        Some((sums, rounds))
+    }
+}
+
+/// Adds a branch behind the others; two that make a whole become it.
+fn push(branches: &mut Vec<Branch>, mut branch: Branch, rhythm: Rhythm) {
+    let sibling = |last: &Branch, branch: &Branch| {
+        last.level == branch.level && last.index.is_multiple_of(2) && last.index + 1 == branch.index
+    };
+    while let Some(last) = branches.pop_if(|last| sibling(last, &branch)) {
+        let rounds = branch.rounds(rhythm);
+        let mut sums = last.sums;
+        sums.add(rounds, &branch.sums, rounds);
+        branch = Branch { level: last.level + 1, index: last.index / 2, sums };
+    }
+    branches.push(branch);
+}
