@@ -241,7 +241,13 @@ fn what_cannot_be_compared_is_refused() {
 fn different_parts_of_a_film_are_refused() {
     let folder = Folder::new();
     for (name, origin) in [("left.exr", [0, 0]), ("right.exr", [40, 0]), ("left2.exr", [0, 0])] {
-        let layers = Layers { film: [80, 30], origin, main: ramp(1.0), named: Vec::new() };
+        let layers = Layers {
+            film: [80, 30],
+            origin,
+            main: ramp(1.0),
+            named: Vec::new(),
+            scalars: Vec::new(),
+        };
         exr::write(&folder.path(name), &layers, &Metadata::new()).unwrap();
     }
     let told = folder.compare(&["left.exr", "right.exr"]);

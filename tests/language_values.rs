@@ -144,7 +144,7 @@ fn order_means_nothing() {
     let backward = scenes(&format!("scn 1 in m\n{backward}")).remove(0).1;
     assert_eq!(forward, backward);
     assert_eq!((forward.film.size.0, forward.film.exposure.0), ([8, 8], 1.0));
-    assert_eq!(forward.stop.samples.0, 2);
+    assert_eq!(forward.stop.most_samples(), Some(2));
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn set_says_it_last_in_every_render() {
         lang::compile(Path::new("x/scene.scn"), text, &sets, &[], &Nothing, &mut sources);
     assert!(compiled.diagnostics.is_empty(), "{:?}", compiled.diagnostics);
     for render in &compiled.renders {
-        assert_eq!(render.scene.stop.samples.0, 3);
+        assert_eq!(render.scene.stop.most_samples(), Some(3));
         let Camera::Perspective(camera) = &render.scene.camera.value else { panic!("a pinhole") };
         assert_eq!(camera.eye.0.z, 1.0);
     }

@@ -51,7 +51,12 @@ fn scene(meshes: Vec<(&str, Mesh)>) -> Arc<Scene> {
         }),
         integrator: at(Integrator::Preview(Preview {})),
         sampler: at(Sampler::Independent(Independent {})),
-        stop: at(Stop { samples: at(Count(1)) }),
+        stop: at(Stop {
+            samples: at(Some(Count(1))),
+            time: at(None),
+            error: at(None),
+            adaptive: at(scn::scene::Switch(false)),
+        }),
         lights: Vec::new(),
         materials: vec![material("grey", 0.5), material("pink", 0.75)],
         objects: meshes.into_iter().map(object).collect(),

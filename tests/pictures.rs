@@ -87,7 +87,7 @@ fn up_to_date(
     if word("scn:hash")? != shot.stage.hash.to_string() {
         return Err(format!("{scene} or its files have changed since {render} was made"));
     }
-    let samples = shot.stage.scene.stop.samples.0.to_string();
+    let samples = shot.stage.scene.stop.most_samples().unwrap().to_string();
     if word("scn:samples")? != samples {
         return Err(format!("{render} has {samples} samples a pixel"));
     }

@@ -9,12 +9,14 @@ use glam::{DVec3, dvec3};
 use scn::math::{Picture, Rgb};
 use scn::measure::statistics::{Moments, welch};
 use scn::prepare::Settings;
-use scn::render::film::BLOCK;
 use scn::render::tiles::Threads;
-use scn::run::Watch;
+use scn::run::{Stopped, Watch};
 use scn::scene::{self, Step};
 
 use by_hand::{Hand, Patient, Ticking, at, bumpy_ball, difference, direct, render, still_life};
+
+/// Samples of a block of the still life.
+const BLOCK: u64 = 64;
 
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
@@ -76,10 +78,10 @@ fn a_cancelled_render_is_the_render_of_the_samples_it_has() {
         let watch = Ticking::new(0.2, patience);
         let outcome = render(&prepared, 1, 70, &watch);
         let last = watch.last.into_inner();
-        match outcome.interrupted {
-            Some(interrupted) if outcome.samples == 0 => {
+        match outcome.stopped {
+            Stopped::Interrupted { tiles: Some(finished) } => {
                 // Some tiles have one sample, the others are black.
-                let finished = interrupted.tiles.unwrap();
+                assert_eq!(outcome.samples, 0);
                 assert_eq!((finished.done as u64, finished.of as u64), (patience, tiles));
                 assert_eq!(outcome.rays, last);
                 let whole = render(&prepared, 1, 1, &Patient).picture;
@@ -87,8 +89,7 @@ fn a_cancelled_render_is_the_render_of_the_samples_it_has() {
                 assert!(outcome.picture.pixels.iter().zip(&whole.pixels).all(kept));
             }
             other => {
-                assert!(other.is_none_or(|interrupted| interrupted.tiles.is_none()));
-                assert_eq!(other.is_none(), outcome.samples == 70);
+                assert_eq!(other == Stopped::Samples, outcome.samples == 70);
                 let whole = render(&prepared, 1, outcome.samples, &Patient);
                 assert_eq!(outcome.picture, whole.picture);
                 assert_eq!(outcome.rays, whole.rays);

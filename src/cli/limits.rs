@@ -38,7 +38,7 @@ pub fn percent(part: f64) -> String {
     let percent = part * 100.0;
     match percent {
         p if !p.is_finite() => "over any bound".to_string(),
-        p if p == 0.0 => "0 %".to_string(),
+        0.0 => "0 %".to_string(),
         p if p >= 100.0 => format!("{p:.0} %"),
         p => {
             let digits = (2 - p.abs().log10().floor() as i32).clamp(0, 12) as usize;

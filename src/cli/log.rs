@@ -292,7 +292,7 @@ mod tests {
                 height: 512,
                 film: [512, 512],
                 crop: None,
-                samples: 16,
+                limits: Rule { samples: Some(16), ..Rule::default() },
                 seed: 0,
             },
             Event::Rendered {
@@ -303,6 +303,8 @@ mod tests {
                 seconds: 2.0,
                 rays_per_second: 2.1e6,
                 peak_memory: Some(40_000_000),
+                error: Some(Error { error: 0.0234, low: 0.02, high: 0.031, bound: false }),
+                stopped_by: "samples",
             },
             Event::Written { render: "a".into(), file: "out/w01/a.exr".into() },
             Event::Done { pictures: 1, seconds: 2.5 },
@@ -319,6 +321,7 @@ mod tests {
                picture   512 × 512, 16 rays a pixel\n  \
                rendered  in 2 s: 4,194,304 rays and 1,000 shadow rays, 2.1 million rays a second\n  \
                memory    40.0 MB at most\n  \
+               error     2.34 %, with 95 % confidence 2 % to 3.1 %\n  \
                wrote     out/w01/a.exr\n\
              \n1 picture in 2.50 s\n"
         );

@@ -185,8 +185,29 @@ mod tests {
         }
     }
 
-    fn job(samples: Range<u64>) -> Job<'static> {
-        Job { seed: 1, samples, from: None, cancelled: &|| false, advance: &|_| () }
+    /// What was taken, and these samples of all tiles in one pass.
+    fn more<F>(world: &World, mut taken: Taken, samples: Range<u64>, radiance: F) -> Taken
+    where
+        F: Fn(&Ray, &mut Stream, &mut Counts) -> Sample + Sync,
+    {
+        let tiles: Vec<usize> = (0..taken.tiles()).collect();
+        let end = samples.end;
+        let job = Job {
+            seed: 1,
+            samples,
+            tiles: &tiles,
+            taken: &taken,
+            cancelled: &|| false,
+            advance: &|_| (),
+        };
+        for (tile, begun) in pass(world, &job, radiance).into_iter().enumerate() {
+            taken.put(tile, begun.unwrap(), end);
+        }
+        taken
+    }
+
+    fn nothing(world: &World) -> Taken {
+        Taken::new(&world.film, world.sampler.rhythm(), 0)
     }
 
     /// Not finite where the ray goes to the left and down; else one.
@@ -200,18 +221,17 @@ mod tests {
     #[test]
     fn samples_that_are_not_finite_are_counted_located_and_black() {
         let world = world();
-        let tiles: Vec<_> =
-            pass(&world, &job(5..8), broken).into_iter().map(Option::unwrap).collect();
-        let counts = crate::render::film::counts(&tiles);
+        let taken = more(&world, nothing(&world), 0..3, broken);
+        let counts = taken.counts();
         assert_eq!(counts.rays, 38 * 19 * 3);
         let invalid = counts.invalid.unwrap();
         // Looking along +z with +y up, +x is to the left: columns 2 to 19, rows 10 to 19.
         assert_eq!(invalid.count, 18 * 10 * 3);
-        assert_eq!(invalid.first, Place { y: 10, x: 2, sample: 5, object: Some(7) });
-        for (tile, sums) in world.film.tiles().iter().zip(&tiles) {
-            for ((x, y), sum) in tile.places().zip(&sums.pixels) {
-                let expected = if x < 20 && y >= 10 { 0.0 } else { 3.0 };
-                assert_eq!(*sum, [expected; 3], "{x} {y}");
+        assert_eq!(invalid.first, Place { y: 10, x: 2, sample: 0, object: Some(7) });
+        for means in taken.means(&world.film, 1.0) {
+            for ((x, y), pixel) in means.tile.places().zip(&means.pixels) {
+                let expected = if x < 20 && y >= 10 { 0.0 } else { 1.0 };
+                assert_eq!(pixel.mean, [expected; 3], "{x} {y}");
             }
         }
     }
@@ -223,10 +243,8 @@ mod tests {
             let [u, _] = stream.pair();
             Sample { radiance: Rgb::grey(ray.direction.x * u as f32 / 3.0), object: None }
         };
-        let whole = pass(&world, &job(0..10), value);
-        let first: Vec<_> =
-            pass(&world, &job(0..3), value).into_iter().map(Option::unwrap).collect();
-        let second = pass(&world, &Job { from: Some(&first), ..job(3..10) }, value);
-        assert_eq!(whole, second);
+        let whole = more(&world, nothing(&world), 0..10, value);
+        let first = more(&world, nothing(&world), 0..3, value);
+        assert_eq!(more(&world, first, 3..10, value), whole);
     }
 }

@@ -13,7 +13,7 @@ use scn::load::{SceneHash, Stage, StagedMesh};
 use scn::math::{Mesh, NoProgress, Picture, Rgb, Spectrum};
 use scn::measure::statistics::Moments;
 use scn::prepare::{self, Prepared};
-use scn::run::{self, Outcome, Watch};
+use scn::run::{self, Begin, Outcome, Watch};
 use scn::scene::{self, At, Named, Place, Step};
 
 /// The place of what has no text.
@@ -45,6 +45,16 @@ pub fn integrator(shadows: bool, area_lights: scene::AreaLights) -> scene::Integ
     })
 }
 
+/// So many samples, and no other limit.
+pub fn stop(samples: u64) -> scene::Stop {
+    scene::Stop {
+        samples: at(Some(scene::Count(samples))),
+        time: at(None),
+        error: at(None),
+        adaptive: at(scene::Switch(false)),
+    }
+}
+
 /// The box filter of one pixel.
 pub fn pixel_box() -> scene::Filter {
     scene::Filter::BoxFilter(scene::BoxFilter { radius: at(scene::Number(0.5)) })
@@ -72,7 +82,7 @@ impl Hand {
                 film: at(film),
                 integrator: at(integrator),
                 sampler: at(scene::Sampler::Stratified(sampler)),
-                stop: at(scene::Stop { samples: at(scene::Count(1)) }),
+                stop: at(stop(1)),
                 lights: Vec::new(),
                 materials: Vec::new(),
                 objects: Vec::new(),
@@ -99,7 +109,7 @@ impl Hand {
     }
 
     pub fn samples(mut self, samples: u64) -> Self {
-        self.scene.stop.value.samples = at(scene::Count(samples));
+        self.scene.stop.value = stop(samples);
         self
     }
 
@@ -257,7 +267,7 @@ impl Hand {
     }
 
     pub fn render(&self, seed: u64) -> Outcome {
-        render(&self.prepared(), seed, self.scene.stop.samples.0, &Patient)
+        render(&self.prepared(), seed, self.scene.stop.most_samples().unwrap(), &Patient)
     }
 
     pub fn picture(&self) -> Picture {
@@ -269,7 +279,8 @@ impl Hand {
         let prepared = self.prepared();
         let mut moments = Moments::default();
         for seed in 0..16 {
-            let outcome = render(&prepared, seed, self.scene.stop.samples.0, &Patient);
+            let outcome =
+                render(&prepared, seed, self.scene.stop.most_samples().unwrap(), &Patient);
             moments.add(f64::from(outcome.picture.pixels[0].g));
         }
         moments
@@ -277,8 +288,9 @@ impl Hand {
 }
 
 pub fn render(prepared: &Prepared, seed: u64, samples: u64, watch: &dyn Watch) -> Outcome {
-    let settings = run::Settings { seed, samples };
-    let outcome = run::render(&prepared.world, &prepared.integrator, &settings, watch);
+    let settings = run::Settings::samples(seed, samples);
+    let Prepared { world, integrator, .. } = prepared;
+    let outcome = run::render(world, integrator, &settings, Begin::new(world), watch);
     assert_eq!(outcome.invalid, None);
     outcome
 }

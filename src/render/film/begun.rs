@@ -93,7 +93,7 @@ impl PixelSums {
         for (part, value) in self.part.iter_mut().zip(value) {
             *part += value;
         }
-        if taken % rhythm.round == 0 {
+        if taken.is_multiple_of(rhythm.round) {
             take(&mut self.sum, &mut self.squares, self.part, taken / rhythm.round);
             self.part = [0.0; 3];
         }

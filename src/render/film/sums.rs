@@ -39,10 +39,11 @@ impl Sums {
         let (n, m) = (rounds.max(1) as f64, others.max(1) as f64);
         // Of no round at all there is no mean to be apart.
         let weight = if rounds == 0 || others == 0 { 0.0 } else { n * (m / (n + m)) };
-        for (i, sums) in self.sums.iter_mut().enumerate() {
+        for i in 0..self.sums.len() {
             for channel in 0..3 {
-                let apart = sums[channel] / n - other.sums[i][channel] / m;
-                sums[channel] += other.sums[i][channel];
+                let (sum, added) = (&mut self.sums[i][channel], other.sums[i][channel]);
+                let apart = *sum / n - added / m;
+                *sum += added;
                 self.squares[i][channel] += other.squares[i][channel] + square(apart) * weight;
                 let largest = &mut self.largest[i][channel];
                 *largest = largest.max(other.largest[i][channel]);

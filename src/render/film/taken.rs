@@ -175,13 +175,13 @@ impl Taken {
         all
     }
 
-    /// Bytes a pixel while a render goes on to so many samples: the sums kept, those of the pass
-    /// at work, and those being added at the end.
+    /// Bytes a pixel while a render goes on to so many samples: the sums kept, and those of the
+    /// pass at work.
     pub fn bytes_a_pixel(samples: u64, rhythm: Rhythm) -> u64 {
         let sums = (2 * size_of::<[f64; 3]>() + size_of::<[f32; 3]>()) as u64;
         let begun = if rhythm.round > 1 { 2 * size_of::<[f64; 3]>() as u64 } else { 0 };
         let branches = u64::from(u64::BITS - (samples / rhythm.block).leading_zeros());
-        (branches + 3) * sums + 2 * begun
+        branches * sums + 2 * (sums + begun)
     }
 
     /// What the samples tell, tile by tile; `light_unit` as in [`crate::render::World`].
@@ -267,4 +267,179 @@ fn push(branches: &mut Vec<Branch>, mut branch: Branch, rhythm: Rhythm) {
         branch = Branch { level: last.level + 1, index: last.index / 2, sums };
     }
     branches.push(branch);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::render::film::{Filter, Window};
+    use crate::render::samplers::Sampler;
+
+    /// Mean, and variance of one value, in two passes.
+    fn moments(values: impl Iterator<Item = f64>) -> (f64, f64) {
+        let values: Vec<f64> = values.collect();
+        let n = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / n;
+        let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
+        (mean, squares / (n - 1.0))
+    }
+
+    const ROUNDS: Rhythm = Rhythm { round: 4, block: 12 };
+    const SINGLE: Rhythm = Rhythm { round: 1, block: 6 };
+
+    fn film() -> Film {
+        let window = Window { x0: 0, y0: 0, x1: 1, y1: 1 };
+        Film { size: [1, 1], window, filter: Filter::Box { radius: 0.5 } }
+    }
+
+    /// Sample i of the only pixel: irregular, and of a large mean.
+    fn value(i: u64) -> f64 {
+        1000.0 + crate::math::random::unit_pair(crate::math::random::mix(i))[0]
+    }
+
+    /// Takes samples from the end of what was taken up to the next of `cuts`, and so on.
+    fn take(mut taken: Taken, rhythm: Rhythm, cuts: &[u64]) -> Taken {
+        for &end in cuts {
+            let start = taken.end(0);
+            let fresh = || Begun::new(1, start / rhythm.block, rhythm);
+            let mut begun = taken.begun(0).cloned().unwrap_or_else(fresh);
+            let mut pixel = begun.pixel(0);
+            for i in start..end {
+                pixel.add([value(i), -value(i), 0.0], i % rhythm.block, rhythm);
+                begun.counts().rays += 1;
+            }
+            begun.put(0, &pixel);
+            taken.put(0, begun, end);
+        }
+        taken
+    }
+
+    fn from(first: u64, rhythm: Rhythm, cuts: &[u64]) -> Taken {
+        take(Taken::new(&film(), rhythm, first), rhythm, cuts)
+    }
+
+    fn means(taken: &Taken) -> TileMeans {
+        taken.means(&film(), 1.0).next().unwrap()
+    }
+
+    #[test]
+    fn means_and_variances_are_those_of_the_samples() {
+        for end in [2, 5, 6, 7, 12, 36, 42, 45] {
+            let mut cuts: Vec<u64> = (6..end).step_by(6).collect();
+            cuts.push(end);
+            let told = means(&from(0, SINGLE, &cuts));
+            let (mean, variance) = moments((0..end).map(value));
+            assert_eq!((told.samples, told.freedom, told.bound), (end, end - 1, false));
+            let pixel = told.pixels[0];
+            assert!((pixel.mean[0] - mean).abs() < 1e-9);
+            assert!((pixel.variance[0] / (variance / end as f64) - 1.0).abs() < 1e-9, "{end}");
+            assert_eq!((pixel.mean[1], pixel.variance[1]), (-pixel.mean[0], pixel.variance[0]));
+            assert_eq!(pixel.variance[2], 0.0);
+            let largest = (0..end).map(value).fold(0.0, f64::max) / end as f64;
+            assert!((pixel.largest[0] / largest - 1.0).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn the_variance_is_that_of_rounds_once_there_are_two() {
+        for end in [8, 11, 12, 24, 30, 60, 63] {
+            let mut cuts: Vec<u64> = (12..end).step_by(12).collect();
+            cuts.push(end);
+            let told = means(&from(0, ROUNDS, &cuts));
+            let rounds = end / 4;
+            let round = |j: u64| (4 * j..4 * j + 4).map(value).sum::<f64>() / 4.0;
+            let (_, of_rounds) = moments((0..rounds).map(round));
+            let (mean, _) = moments((0..end).map(value));
+            assert_eq!((told.freedom, told.bound), (rounds - 1, false), "{end}");
+            assert!((told.pixels[0].mean[0] - mean).abs() < 1e-9);
+            let variance = of_rounds * 4.0 / end as f64;
+            assert!((told.pixels[0].variance[0] / variance - 1.0).abs() < 1e-8, "{end}");
+        }
+    }
+
+    #[test]
+    fn before_two_rounds_samples_bound_it() {
+        for end in [2, 3, 4, 7] {
+            let told = means(&from(0, ROUNDS, &[end]));
+            let variance = moments((0..end).map(value)).1 / end as f64;
+            assert_eq!((told.freedom, told.bound), (end - 1, true));
+            assert!((told.pixels[0].variance[0] / variance - 1.0).abs() < 1e-9, "{end}");
+        }
+        let one = means(&from(0, ROUNDS, &[1]));
+        assert_eq!((one.freedom, one.pixels[0].variance), (0, [0.0; 3]));
+        assert_eq!(means(&Taken::new(&film(), ROUNDS, 0)).samples, 0);
+    }
+
+    #[test]
+    fn cuts_and_slices_change_no_bit() {
+        let blocks =
+            |range: std::ops::RangeInclusive<u64>| range.map(|b| b * 12).collect::<Vec<_>>();
+        let mut whole = blocks(1..=13);
+        whole.push(159);
+        let whole = from(0, ROUNDS, &whole);
+        let mut fine: Vec<u64> = (1..=159).collect();
+        assert_eq!(from(0, ROUNDS, &fine), whole);
+        for cuts in [[1, 2], [3, 11], [5, 6], [8, 12]] {
+            fine = blocks(cuts[1] + 1..=13);
+            fine.push(159);
+            let slices = [
+                from(0, ROUNDS, &blocks(1..=cuts[0])),
+                from(cuts[0] * 12, ROUNDS, &blocks(cuts[0] + 1..=cuts[1])),
+                from(cuts[1] * 12, ROUNDS, &fine),
+            ];
+            let [a, b, c] = slices;
+            assert!(a.clone().join(c.clone()).is_none(), "there is a gap");
+            assert!(c.clone().join(a.clone()).is_none(), "the end is not the beginning");
+            assert_eq!(a.join(b).unwrap().join(c).unwrap(), whole);
+        }
+    }
+
+    #[test]
+    fn many_blocks_keep_their_digits() {
+        // Twenty million samples of about a thousand, of which f32 would have lost four fifths.
+        let rhythm = Sampler::Independent.rhythm();
+        let mut taken = Taken::new(&film(), rhythm, 0);
+        let mut block = Begun::new(1, 1, rhythm);
+        let mut pixel = block.pixel(0);
+        (0..64).for_each(|i| pixel.add([0.1; 3], i, rhythm));
+        block.put(0, &pixel);
+        for i in 1..=20_000_000 / 64 {
+            taken.put(0, block.clone(), i * 64);
+        }
+        let told = means(&taken);
+        assert!((told.pixels[0].mean[0] / 0.1 - 1.0).abs() < 1e-14, "{:?}", told.pixels[0]);
+        assert!(told.pixels[0].variance[0].sqrt() < 1e-12);
+    }
+
+    #[test]
+    fn what_does_not_fit_together_is_refused() {
+        let good = from(0, ROUNDS, &[12, 24, 36, 40]);
+        assert!(good.fits(&film(), ROUNDS));
+        assert!(from(24, ROUNDS, &[36, 48]).fits(&film(), ROUNDS));
+        assert!(Taken::new(&film(), ROUNDS, 12).fits(&film(), ROUNDS));
+        assert!(!good.fits(&film(), SINGLE));
+        let mut wide = film();
+        wide.window.x1 = 2;
+        assert!(!good.fits(&wide, ROUNDS));
+        type Break = fn(&mut TileTaken);
+        let breaks: [Break; 9] = [
+            |tile| tile.end = 41 + 12,
+            |tile| tile.end = 36,
+            |tile| tile.end = u64::MAX,
+            |tile| tile.begun = None,
+            |tile| drop(tile.branches.remove(0)),
+            |tile| tile.branches[0].level = 64,
+            |tile| tile.branches[1].index = u64::MAX,
+            |tile| tile.branches[0].sums.squares.clear(),
+            |tile| tile.begun.as_mut().unwrap().part.push([0.0; 3]),
+        ];
+        for (i, change) in breaks.into_iter().enumerate() {
+            let mut bad = good.clone();
+            change(&mut bad.tiles[0]);
+            assert!(!bad.fits(&film(), ROUNDS), "{i}");
+        }
+        let mut bad = good.clone();
+        bad.first = 5;
+        assert!(!bad.fits(&film(), ROUNDS));
+    }
 }
