@@ -14,6 +14,7 @@ pub mod text;
 pub mod whole;
 pub mod exr;
 pub mod png;
+pub mod checkpoint;
 pub mod obj;
 pub mod mtl;
 

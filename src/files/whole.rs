@@ -1,4 +1,7 @@
 //! Files that appear whole or not at all: written beside, then renamed.
+//!
+//! Who writes holds a lock on the file beside. One without a lock was left by a process that was
+//! killed, and goes away when the same file is written next.
 
 use std::fs::{self, File};
 use std::io::{BufWriter, ErrorKind, Write};
@@ -81,17 +84,79 @@ fn hidden(name: &std::ffi::OsStr) -> std::ffi::OsString {
     prefix
 }
 
+/// How the name of the file beside ends.
+const BESIDE: &str = ".part";
+/// Characters between that beginning and that end.
+const RANDOM: usize = 6;
+
 /// A hidden file in the same folder, with the permissions a new file gets there. It goes away by
-/// itself unless it is renamed.
+/// itself unless it is renamed. Those that others left there go away too.
 fn beside(prefix: &std::ffi::OsStr, folder: &Path) -> Result<tempfile::NamedTempFile, Failure> {
+    sweep(prefix, folder);
+    loop {
+        let file = hidden_file(prefix, folder)?;
+        // Somebody may have swept it up between its making and its locking.
+        if lock(file.as_file()).is_err() || still_there(&file) {
+            return Ok(file);
+        }
+    }
+}
+
+fn hidden_file(
+    prefix: &std::ffi::OsStr,
+    folder: &Path,
+) -> Result<tempfile::NamedTempFile, Failure> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(prefix).suffix(".part");
+    builder.prefix(prefix).suffix(BESIDE).rand_bytes(RANDOM);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(folder).map_err(|error| folder_failure(folder, error))
+}
+
+/// Removes what killed processes left beside. Nothing that goes wrong here matters.
+fn sweep(prefix: &std::ffi::OsStr, folder: &Path) {
+    let prefix = prefix.as_encoded_bytes();
+    let left = |name: &std::ffi::OsStr| {
+        let name = name.as_encoded_bytes();
+        let middle = name.strip_prefix(prefix).and_then(|n| n.strip_suffix(BESIDE.as_bytes()));
+        middle.is_some_and(|it| it.len() == RANDOM && it.iter().all(u8::is_ascii_alphanumeric))
+    };
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    for entry in entries.filter(|entry| left(&entry.file_name())) {
+        let path = entry.path();
+        if let Ok((file, _)) = regular::open(&path, u64::MAX)
+            && lock(&file).is_ok()
+        {
+            let _ = fs::remove_file(&path);
+        }
+    }
+}
+
+/// Takes the lock of a file that is written, for as long as it is open. Not every disk knows locks.
+#[cfg(unix)]
+fn lock(file: &File) -> Result<(), rustix::io::Errno> {
+    rustix::fs::flock(file, rustix::fs::FlockOperation::NonBlockingLockExclusive)
+}
+
+/// Other systems have other locks: nothing is swept there.
+#[cfg(not(unix))]
+fn lock(_file: &File) -> Result<(), ()> {
+    Err(())
+}
+
+/// Whether the name of an open file still stands for it, or its folder does not tell.
+#[cfg(unix)]
+fn still_there(file: &tempfile::NamedTempFile) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    file.as_file().metadata().map_or(true, |metadata| metadata.nlink() > 0)
+}
+
+#[cfg(not(unix))]
+fn still_there(_file: &tempfile::NamedTempFile) -> bool {
+    true
 }
 
 fn folder_failure(folder: &Path, error: std::io::Error) -> Failure {
@@ -150,6 +215,37 @@ mod tests {
             ready(&path.join("b")).unwrap_err().to_string(),
             format!("needs the folder {}, but a file is in its way", path.display())
         );
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_killed_processes_left_goes_away_and_what_others_write_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        let left = [".a.txtAbc123.part", ".a.txt000000.part"];
+        let others =
+            [".a.txt.part", ".a.txtAbc1234.part", ".b.txtAbc123.part", ".a.txtAb-123.part"];
+        for name in left.iter().chain(&others) {
+            fs::write(folder.path().join(name), b"half").unwrap();
+        }
+        let mut during = Vec::new();
+        write(&path, |file| {
+            file.write_all(b"one")?;
+            // Somebody else writes the same meanwhile.
+            put(&path, b"two")?;
+            during = names(folder.path());
+            Ok(())
+        })
+        .unwrap();
+        assert!(left.iter().all(|name| !during.iter().any(|it| it == name)), "{during:?}");
+        assert_eq!(during.len(), others.len() + 2, "{during:?}");
+        assert_eq!(fs::read(&path).unwrap(), b"one");
+        let mut after = names(folder.path());
+        after.sort();
+        let mut expected: Vec<_> = others.iter().map(|it| it.to_string()).collect();
+        expected.push("a.txt".into());
+        expected.sort();
+        assert_eq!(after, expected);
     }
 
     #[test]
