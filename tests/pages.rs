@@ -1,17 +1,14 @@
 //! The page of every fault: its example shows that fault and no other error, its mend none.
 //!
 //! A page has a title, a ```scn block with the fault, blocks "```file NAME" for further files,
-//! and a ```scn-ok block with the mend.
+//! and a ```scn-ok block with the mend. The page of a lint has a ```scn-near block as well: a scene
+//! that looks much like the example, in which nothing is found.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use scn::cli::Disk;
+use scn::cli;
 use scn::diag::{self, CODES, Diagnostic, Level, Sources};
-use scn::lang;
-use scn::load::Loader;
-use scn::math::NoProgress;
-use scn::prepare;
 
 /// A fenced block: what stands after the backticks, and its text.
 struct Block {
@@ -45,20 +42,7 @@ fn faults(folder: &Path, text: &str) -> (Vec<Diagnostic>, Sources) {
     let path = folder.join("example.scn");
     std::fs::write(&path, text).unwrap();
     let mut sources = Sources::new();
-    let compiled = lang::compile(&path, text, &[], &[], &Disk, &mut sources);
-    let mut found = compiled.diagnostics;
-    if found.iter().all(|fault| fault.level != Level::Error) {
-        assert!(!compiled.renders.is_empty(), "no error, and no render");
-    }
-    let mut loader = Loader::new(&NoProgress);
-    for render in &compiled.renders {
-        let (stage, told) = loader.stage(&render.scene, &mut sources);
-        found.extend(told);
-        if let Some(stage) = stage {
-            found.extend(prepare::check(&stage, &prepare::Settings::default()));
-        }
-    }
-    let found = diag::in_order(found, &sources);
+    let found = cli::check(&path, text, &[], &mut sources).found;
     (found, sources)
 }
 
@@ -78,21 +62,26 @@ fn wrong_with(code: diag::Code) -> Vec<String> {
             std::fs::write(path, &block.text).unwrap();
         }
     }
-    for (info, what) in [("scn", "example"), ("scn-ok", "mend")] {
+    let is_lint = code.name.starts_with("lint/");
+    for (info, what) in [("scn", "example"), ("scn-ok", "mend"), ("scn-near", "near-miss")] {
+        if info == "scn-near" && !is_lint {
+            continue;
+        }
         if blocks.iter().all(|block| block.info != info) {
             wrong.push(format!("has no {what}"));
         }
     }
     for block in &blocks {
         let (found, sources) = match block.info.as_str() {
-            "scn" | "scn-ok" => faults(folder.path(), &block.text),
+            "scn" | "scn-ok" | "scn-near" => faults(folder.path(), &block.text),
             _ => continue,
         };
         let report = || diag::print::report(&found, &sources, "it", diag::print::Look::PLAIN);
         let errors = || found.iter().filter(|fault| fault.level == Level::Error);
-        if block.info == "scn-ok" {
+        if block.info != "scn" {
             if !found.is_empty() {
-                wrong.push(format!("has a mend with faults:\n{}\n{}", block.text, report()));
+                let what = if block.info == "scn-ok" { "mend" } else { "near-miss" };
+                wrong.push(format!("has a {what} with faults:\n{}\n{}", block.text, report()));
             }
             continue;
         }

@@ -49,7 +49,7 @@ fn all() -> String {
             text.push('\n');
             family = this;
         }
-        text.push_str(&format!("  {:width$}  {}\n", code.name, title(code.page)));
+        text.push_str(&format!("  {:width$}  {}\n", code.name, code.title()));
     }
     text
 }
@@ -65,6 +65,7 @@ fn page(page: &str) -> String {
                 _ if !inside => continue,
                 "scn" => "Wrong:".to_string(),
                 "scn-ok" => "Mended:".to_string(),
+                "scn-near" => "Not told of:".to_string(),
                 other => match other.strip_prefix("file ") {
                     Some(name) => format!("File {name}:"),
                     None => continue,
@@ -81,11 +82,6 @@ fn page(page: &str) -> String {
         }
     }
     text
-}
-
-/// The heading of a page.
-fn title(page: &str) -> &str {
-    page.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or("")
 }
 
 #[cfg(test)]

@@ -23,6 +23,7 @@ pub fn run(options: &List) -> End {
         ["units" | "unit"] => own::units(look),
         ["keywords" | "keyword"] => own::keywords(look),
         ["functions" | "function"] => own::functions(look),
+        ["lints" | "lint"] => super::lint::list(),
         [places @ .., word] => match word_page(word, places, look) {
             Some(page) => page,
             None => {

@@ -15,6 +15,7 @@ mod log;
 mod output;
 mod picture;
 mod scene_file;
+mod check;
 mod render;
 mod lint;
 mod diff;
@@ -27,6 +28,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
+pub use check::{Checked, check};
 pub use scene_file::Disk;
 
 /// How a command ended. What went wrong has been told.

@@ -28,7 +28,7 @@ pub struct Options {
 #[derive(Subcommand, Debug)]
 pub enum Command {
     Render(Render),
-    Lint(Lint),
+    Lint(super::lint::Lint),
     Fmt(Fmt),
     Compare(super::compare::Compare),
     Explain(Explain),
@@ -88,24 +88,6 @@ pub struct Render {
     /// How the log on stdout is written: for people, or one JSON object a line
     #[arg(long, value_name = "FORM", default_value = "human")]
     pub log: Form,
-}
-
-/// Check scene files, and the files they name, without rendering
-#[derive(Args, Debug)]
-#[command(after_help = "\
-Examples:
-  scn lint my.scn
-  scn lint scenes/*.scn --format json")]
-pub struct Lint {
-    /// The scene files
-    #[arg(value_name = "FILE", required = true)]
-    pub files: Vec<PathBuf>,
-    /// How faults are written to stdout: for people, or as one JSON object
-    #[arg(long, value_name = "FORM", default_value = "human")]
-    pub format: Form,
-    /// Check the scene as changed so; may be given more than once
-    #[arg(long, value_name = "path=value")]
-    pub set: Vec<String>,
 }
 
 /// Lay out scene files in the one style there is

@@ -9,7 +9,7 @@ use super::log::{Error, Event, Loaded, Log, shown};
 use super::near::{either, near};
 use super::options::{Form, Render};
 use super::output::Output;
-use super::{End, picture, scene_file, stop, terminal, whose};
+use super::{End, check, picture, scene_file, stop, terminal};
 use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
 use crate::load::{Loader, Stage};
 use crate::prepare::{self, Prepared};
@@ -82,7 +82,7 @@ impl<'a> Session<'a> {
             return Err(failed(&format!("`{file}` {why}")));
         }
         let chosen = self.chosen(compiled.renders, &compiled.setups, &output)?;
-        let ready = self.load(compiled.diagnostics, chosen)?;
+        let ready = self.load(compiled.diagnostics, chosen, &compiled.outline)?;
         self.settings_fit(&ready, &output)?;
         self.tell_loaded(&ready);
 
@@ -146,17 +146,18 @@ impl<'a> Session<'a> {
         &mut self,
         mut found: Vec<Diagnostic>,
         chosen: Vec<lang::Render>,
+        outline: &lang::outline::Outline,
     ) -> Result<Vec<Ready>, End> {
         let settings = self.settings();
         let mut ready = Vec::new();
-        let mut checked = Vec::new();
+        let mut names = Vec::new();
         self.bar.begin("Loading");
         let mut loader = Loader::new(&self.bar);
         for render in chosen {
             let (stage, faults) = loader.stage(&render.scene, &mut self.sources);
             found.extend(faults);
             if let Some(stage) = stage {
-                checked.push((render.name.value.clone(), prepare::check(&stage, &settings)));
+                names.push((render.name.clone(), prepare::check(&stage, &settings)));
                 ready.push(Ready { name: render.name.value, stage });
             }
             if stop::asked() {
@@ -165,8 +166,14 @@ impl<'a> Session<'a> {
         }
         self.bar.end();
         // Preparing finds the same once more.
-        let known: Vec<_> = checked.iter().flat_map(|(_, faults)| faults).cloned().collect();
-        found.extend(whose::told(checked));
+        let known: Vec<_> = names.iter().flat_map(|(_, faults)| faults).cloned().collect();
+        let part = !self.options.only.is_empty() || !self.options.set.is_empty();
+        let staged = names.iter().zip(&ready).map(|((name, faults), ready)| check::Staged {
+            name,
+            stage: &ready.stage,
+            faults: faults.clone(),
+        });
+        let found = check::judged(found, staged.collect(), outline, &self.sources, part);
         let faulty = found.iter().any(|diagnostic| diagnostic.level == Level::Error);
         if stop::asked() {
             return Err(End::Interrupted);
@@ -322,8 +329,13 @@ impl<'a> Session<'a> {
             .filter(|fault| fault.level == Level::Error || !self.options.quiet)
             .cloned()
             .collect();
-        let look = terminal::stderr_look();
-        terminal::tell(&diag::print::report(&severe, &self.sources, &subject, look));
+        if severe.iter().any(|fault| fault.level == Level::Error) {
+            let look = terminal::stderr_look();
+            terminal::tell(&diag::print::report(&severe, &self.sources, &subject, look));
+        } else if !severe.is_empty() {
+            let brief = diag::short::lines(&severe, &self.sources);
+            terminal::tell(&format!("{brief}`scn lint {subject}` tells more\n"));
+        }
         if self.options.log == Form::Json {
             let report = diag::json::report(&new, &self.sources);
             self.log.tell(&Event::Diagnostics { report });

@@ -29,13 +29,12 @@ pub fn compile(
     only: &[String],
     sources: &mut Sources,
 ) -> Option<Compiled> {
-    match files::text::read(path) {
-        Ok(text) => Some(lang::compile(path, &text, sets, only, &Disk, sources)),
-        Err(failure) => {
-            terminal::fail(&unread(path, &failure));
-            None
-        }
-    }
+    Some(lang::compile(path, &read(path)?, sets, only, &Disk, sources))
+}
+
+/// The text of a scene file. None if it could not be read; why has been told.
+pub fn read(path: &Path) -> Option<String> {
+    files::text::read(path).map_err(|failure| terminal::fail(&unread(path, &failure))).ok()
 }
 
 /// Why a scene file could not be read, with what was probably meant.

@@ -9,6 +9,13 @@ pub struct Code {
     pub page: &'static str,
 }
 
+impl Code {
+    /// The heading of its page: the fault in a few words.
+    pub fn title(&self) -> &'static str {
+        self.page.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or("")
+    }
+}
+
 impl PartialEq for Code {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -63,6 +70,22 @@ codes! {
     FILE_UNREADABLE = "file/unreadable";
     IMPORT_CIRCLE = "import/circle";
     IMPORT_UNREADABLE = "import/unreadable";
+    LINT_ALBEDO_ABOVE_ONE = "lint/albedo-above-one";
+    LINT_ALLOW_FORM = "lint/allow-form";
+    LINT_ALLOW_UNKNOWN = "lint/allow-unknown";
+    LINT_ALLOW_UNUSED = "lint/allow-unused";
+    LINT_ALLOW_WITHOUT_REASON = "lint/allow-without-reason";
+    LINT_CAMERA_SEES_NOTHING = "lint/camera-sees-nothing";
+    LINT_HIDDEN_BY_PLANE = "lint/hidden-by-plane";
+    LINT_NAMES_BY_CASE = "lint/names-by-case";
+    LINT_SAME_PICTURE = "lint/same-picture";
+    LINT_SUSPICIOUS_UNIT = "lint/suspicious-unit";
+    LINT_UNSEEN_LIGHT = "lint/unseen-light";
+    LINT_UNUSED_LET = "lint/unused-let";
+    LINT_UNUSED_MATERIAL = "lint/unused-material";
+    LINT_UNUSED_PARAMETER = "lint/unused-parameter";
+    LINT_UNUSED_SETUP = "lint/unused-setup";
+    LINT_UNUSED_VARIABLE = "lint/unused-variable";
     MESH_BAD_INDEX = "mesh/bad-index";
     MESH_BAD_NUMBER = "mesh/bad-number";
     MESH_CONCAVE_FACE = "mesh/concave-face";

@@ -104,6 +104,15 @@ impl Diagnostic {
         self
     }
 
+    /// Adds a change a tool can make without asking: it keeps what was meant, and every picture.
+    pub fn safe_mend(self, title: impl Into<String>, span: Span, text: impl Into<String>) -> Self {
+        let mut mended = self.mend(title, span, text);
+        if let Some(mend) = mended.mends.last_mut() {
+            mend.safe = true;
+        }
+        mended
+    }
+
     /// Where the fault is.
     pub fn place(&self) -> Option<Span> {
         self.labels.first().map(|label| label.span)

@@ -5,7 +5,7 @@
 use serde::Serialize;
 
 use super::lines::Lines;
-use super::{Diagnostic, Level, Sources, Span, order};
+use super::{Diagnostic, Sources, Span, order};
 
 #[derive(Serialize)]
 struct Report<'a> {
@@ -17,7 +17,7 @@ struct Report<'a> {
 #[derive(Serialize)]
 struct Fault<'a> {
     code: &'static str,
-    level: &'static str,
+    level: String,
     headline: &'a str,
     why: Option<&'a str>,
     help: Option<&'a str>,
@@ -53,10 +53,6 @@ pub fn report(diagnostics: &[Diagnostic], sources: &Sources) -> serde_json::Valu
 }
 
 fn fault<'a>(diagnostic: &'a Diagnostic, lines: &mut Lines<'a>) -> Fault<'a> {
-    let level = match diagnostic.level {
-        Level::Error => "error",
-        Level::Warning => "warning",
-    };
     let labels = diagnostic.labels.iter().map(|l| place(l.span, &l.text, lines)).collect();
     let mends = diagnostic
         .mends
@@ -69,7 +65,7 @@ fn fault<'a>(diagnostic: &'a Diagnostic, lines: &mut Lines<'a>) -> Fault<'a> {
         .collect();
     Fault {
         code: diagnostic.code.name,
-        level,
+        level: diagnostic.level.to_string(),
         headline: &diagnostic.headline,
         why: diagnostic.why.as_deref(),
         help: diagnostic.help.as_deref(),

@@ -1,8 +1,8 @@
 //! What is wrong with what a person wrote: a place in their text, a sentence, a cause, a mend.
 //!
 //! Every room that finds faults builds [`Diagnostic`]s with one function per fault in its own
-//! `errors/<family>.rs`; only [`print`] knows how they look on a terminal, and [`json`]
-//! how a machine reads them.
+//! `errors/<family>.rs`; only [`print`] knows how they look on a terminal; [`json`],
+//! [`sarif`] and [`short`] how machines read them.
 
 mod code;
 mod diagnostic;
@@ -11,6 +11,8 @@ pub mod json;
 mod lines;
 mod order;
 pub mod print;
+pub mod sarif;
+pub mod short;
 mod sources;
 mod span;
 

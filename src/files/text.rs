@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Failure, regular};
+use super::{Failure, regular, whole};
 
 /// The longest scene file, in bytes.
 pub const LIMIT: u64 = 8_000_000;
@@ -39,6 +39,18 @@ pub fn decode(bytes: Vec<u8>) -> Result<String, Failure> {
     })
 }
 
+/// Writes a scene file anew, whole or not at all, if it still is what was read: `before`, as
+/// [`read`] gave it. A byte order mark stays.
+pub fn replace(path: &Path, before: &str, after: &str) -> Result<(), Failure> {
+    let raw = read_raw(path)?;
+    let rest = without_mark(&raw);
+    if rest != before {
+        return Err(Failure::new("was changed meanwhile, and is left as it is"));
+    }
+    let mark = &raw[..raw.len() - rest.len()];
+    whole::replace(path, format!("{mark}{after}").as_bytes())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -52,5 +64,17 @@ mod tests {
         std::fs::write(&path, b"scn 1\n// caf\xe9\n").unwrap();
         let failure = read(&path).unwrap_err().to_string();
         assert_eq!(failure, "is not UTF-8 text: line 2 holds other bytes");
+    }
+
+    #[test]
+    fn a_text_is_replaced_unless_it_changed_meanwhile() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.scn");
+        std::fs::write(&path, "\u{feff}one\r\n").unwrap();
+        replace(&path, "one\r\n", "two\r\n").unwrap();
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "\u{feff}two\r\n");
+        let told = replace(&path, "one\r\n", "three").unwrap_err().to_string();
+        assert_eq!(told, "was changed meanwhile, and is left as it is");
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "\u{feff}two\r\n");
     }
 }

@@ -3,6 +3,7 @@
 mod arithmetic;
 mod ast;
 mod check;
+mod comments;
 mod defaults;
 mod difference;
 mod errors;
@@ -14,6 +15,7 @@ mod limits;
 mod lower;
 mod names;
 mod order;
+pub mod outline;
 mod parse;
 mod report;
 mod resolve;
@@ -30,6 +32,7 @@ use crate::diag::{Diagnostic, FileId, Sources, Span};
 use crate::scene::schema::{Kind, Type};
 use crate::scene::{At, KINDS, Scene};
 
+pub use comments::comments;
 use difference::Composer;
 use eval::{Evaluator, FileFacts};
 use resolve::{Plan, TOP};
@@ -52,6 +55,8 @@ pub struct Compiled {
     pub setups: Vec<String>,
     /// All errors of all files in one run, each once.
     pub diagnostics: Vec<Diagnostic>,
+    /// What the files declare.
+    pub outline: outline::Outline,
 }
 
 /// One picture that is asked for.
@@ -81,6 +86,7 @@ pub fn compile(
     let sets = read_sets(sets, main, path, &mut ev, units[0].tree.unit, sources);
     let mut plan = resolve::plan(&ev, &units);
     implicit_render(&mut plan, path, &units[0].tree.items, &units[0].tree.broken_words);
+    let outline = outline::outline(&units, &sets);
     let sets = resolve::sets(&ev, &mut plan, sets);
     let readable = ev.reports.errors() == 0;
     let (lowered, missing) = check_renders(&ev, &plan, &sets, only, main);
@@ -93,7 +99,7 @@ pub fn compile(
         ast::Item::Setup(setup) => Some(setup.name.text.to_string()),
         _ => None,
     });
-    Compiled { renders, setups: setups.collect(), diagnostics: reports.finish() }
+    Compiled { renders, setups: setups.collect(), diagnostics: reports.finish(), outline }
 }
 
 /// The arguments of `--set`, each a source of its own.

@@ -4,6 +4,7 @@ mod bench;
 mod faults;
 mod fmt;
 mod interrupt;
+mod lint;
 mod logs;
 mod pictures;
 mod words;

@@ -1,0 +1,50 @@
+//! `scn lint --fix` and `--diff`: safe mends in the files given.
+
+use std::path::Path;
+
+use crate::cli::log::shown;
+use crate::cli::words::counted;
+use crate::cli::{check, terminal};
+use crate::diag::{Level, Sources};
+use crate::files;
+use crate::lint::{Fixed, Selection, fixed};
+
+/// A mend may bring to light what can be mended then; more rounds than this do not help.
+const ROUNDS: usize = 10;
+
+/// The text with all safe mends of what is told in it. None if mending would bring errors, which
+/// was told then.
+pub fn mended(file: &Path, text: &str, selection: &Selection) -> Option<Fixed> {
+    let mut all = Fixed { text: text.to_string(), mends: Vec::new() };
+    let mut errors: Option<usize> = None;
+    for _ in 0..=ROUNDS {
+        let checked = check::check(file, &all.text, &[], &mut Sources::new());
+        let count = checked.found.iter().filter(|it| it.level == Level::Error).count();
+        if errors.is_some_and(|before| count > before) {
+            let name = shown(file);
+            terminal::fail(&format!("mending `{name}` would bring errors; it was left as it is"));
+            return None;
+        }
+        errors = Some(count);
+        let told: Vec<_> = checked.found.into_iter().filter(|it| selection.tells(it)).collect();
+        let Some(round) = fixed(&all.text, checked.main, &told) else { break };
+        all.text = round.text;
+        all.mends.extend(round.mends);
+    }
+    Some(all)
+}
+
+/// Writes a mended text in the place of the one that was read. None if that could not be done,
+/// which was told then.
+pub fn write(file: &Path, before: &str, mended: &Fixed) -> Option<()> {
+    if let Err(failure) = files::text::replace(file, before, &mended.text) {
+        terminal::fail(&format!("the scene file `{}` {failure}", shown(file)));
+        return None;
+    }
+    let mut text = format!("{}: {}\n", shown(file), counted(mended.mends.len() as u64, "mend"));
+    for mend in &mended.mends {
+        text.push_str(&format!("  {}\n", crate::diag::harmless_text(mend)));
+    }
+    terminal::tell(&text);
+    Some(())
+}

@@ -1,0 +1,116 @@
+//! `scn lint`: everything that can be found wrong, or doubtful, without rendering.
+
+mod fix;
+mod options;
+
+use std::path::Path;
+
+use super::log::shown;
+use super::near::{either, near};
+use super::words::counted;
+use super::{End, check, diff, scene_file, terminal};
+use crate::diag::{self, CODES, Diagnostic, Sources};
+use crate::lint::Selection;
+
+use options::Form;
+pub use options::Lint;
+
+pub fn run(options: &Lint) -> End {
+    if options.list {
+        terminal::say(&list());
+        return End::Well;
+    }
+    let selection = Selection {
+        select: options.select.clone(),
+        ignore: options.ignore.clone(),
+        deny: options.deny.clone(),
+    };
+    if let [unknown, ..] = selection.unknown()[..] {
+        terminal::fail(&no_such_code(unknown));
+        return End::NotDone;
+    }
+    let mut sources = Sources::new();
+    let mut all = Vec::new();
+    let mut done = true;
+    for file in &options.files {
+        match one(file, options, &selection, &mut sources) {
+            Some(found) => all.extend(found),
+            None => done = false,
+        }
+    }
+    let counts = all.iter().any(|diagnostic| selection.denies(diagnostic));
+    tell(all, options, &sources);
+    match (done, counts) {
+        (false, _) => End::NotDone,
+        (true, false) => End::Well,
+        (true, true) => End::SceneErrors,
+    }
+}
+
+/// What is told of a file. None if the tool could not do what it was asked to.
+fn one(
+    file: &Path,
+    options: &Lint,
+    selection: &Selection,
+    sources: &mut Sources,
+) -> Option<Vec<Diagnostic>> {
+    let mut text = scene_file::read(file)?;
+    if options.fix || options.diff {
+        let mended = fix::mended(file, &text, selection)?;
+        if options.diff {
+            terminal::say(&diff::unified(file, &text, &mended.text));
+        } else if !mended.mends.is_empty() {
+            fix::write(file, &text, &mended)?;
+            text = mended.text;
+        }
+    }
+    let checked = check::check(file, &text, &options.set, sources);
+    let found: Vec<Diagnostic> =
+        checked.found.into_iter().filter(|diagnostic| selection.tells(diagnostic)).collect();
+    if options.format == Form::Human && !options.diff {
+        let look = terminal::stdout_look();
+        terminal::say(&diag::print::report(&found, sources, &shown(file), look));
+        let safe = found.iter().filter(|it| it.mends.iter().any(|mend| mend.safe)).count();
+        if safe > 0 {
+            let mends = counted(safe as u64, "of these can be mended by --fix");
+            terminal::say(&format!("{}\n", mends.trim_end_matches('s')));
+        }
+    }
+    Some(found)
+}
+
+/// What machines read is one report of all files.
+fn tell(all: Vec<Diagnostic>, options: &Lint, sources: &Sources) {
+    if options.format == Form::Human {
+        return;
+    }
+    let all = diag::in_order(all, sources);
+    let tool = (env!("CARGO_PKG_NAME"), env!("CARGO_PKG_VERSION"));
+    terminal::say(&match options.format {
+        Form::Human => return,
+        Form::Short => diag::short::lines(&all, sources),
+        Form::Github => diag::short::github(&all, sources),
+        Form::Json => format!("{:#}\n", diag::json::report(&all, sources)),
+        Form::Sarif => format!("{:#}\n", diag::sarif::report(&all, sources, tool)),
+    });
+}
+
+/// All rules, each with what it finds.
+pub fn list() -> String {
+    let lints: Vec<_> = CODES.iter().filter(|code| code.name.starts_with("lint/")).collect();
+    let width = lints.iter().map(|code| code.name.len()).max().unwrap_or(0);
+    let mut text = String::from("Rules of the linter. `scn explain CODE` tells more of one.\n\n");
+    for code in lints {
+        text.push_str(&format!("  {:width$}  {}\n", code.name, code.title()));
+    }
+    text
+}
+
+fn no_such_code(name: &str) -> String {
+    let rules = CODES.iter().filter_map(|code| code.name.strip_prefix("lint/"));
+    let hint = match near(name, CODES.iter().map(|code| code.name).chain(rules)).as_slice() {
+        [] => "`scn lint --list` shows the rules, `scn explain` all codes".to_string(),
+        words => format!("did you mean {}?", either(words)),
+    };
+    format!("no code is `{name}`, or begins so; {hint}")
+}

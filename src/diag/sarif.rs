@@ -1,0 +1,154 @@
+//! Diagnostics in SARIF 2.1.0, the form in which code hosts and editors take the findings of
+//! tools. Columns count characters (`unicodeCodePoints`).
+
+use serde_json::{Value, json};
+
+use super::lines::Lines;
+use super::{Code, Diagnostic, Sources, Span};
+
+/// A log of one run with all `diagnostics`, by the tool `name` in its `version`.
+pub fn report(
+    diagnostics: &[Diagnostic],
+    sources: &Sources,
+    (name, version): (&str, &str),
+) -> Value {
+    let mut lines = Lines::new(sources);
+    let mut rules: Vec<Code> = diagnostics.iter().map(|diagnostic| diagnostic.code).collect();
+    rules.sort_by_key(|code| code.name);
+    rules.dedup();
+    let results: Vec<Value> =
+        diagnostics.iter().map(|diagnostic| result(diagnostic, &rules, &mut lines)).collect();
+    json!({
+        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "version": "2.1.0",
+        "runs": [{
+            "tool": { "driver": {
+                "name": name,
+                "version": version,
+                "rules": rules.iter().map(rule).collect::<Vec<_>>(),
+            } },
+            "columnKind": "unicodeCodePoints",
+            "results": results,
+        }],
+    })
+}
+
+fn rule(code: &Code) -> Value {
+    json!({
+        "id": code.name,
+        "shortDescription": { "text": code.title() },
+        "help": { "text": format!("scn explain {}", code.name), "markdown": code.page },
+    })
+}
+
+fn result(diagnostic: &Diagnostic, rules: &[Code], lines: &mut Lines<'_>) -> Value {
+    let words = [Some(&diagnostic.headline), diagnostic.why.as_ref(), diagnostic.help.as_ref()];
+    let words: Vec<&str> = words.into_iter().flatten().map(String::as_str).collect();
+    let mut result = json!({
+        "ruleId": diagnostic.code.name,
+        "ruleIndex": rules.iter().position(|code| *code == diagnostic.code),
+        "level": diagnostic.level.to_string(),
+        "message": { "text": words.join("\n") },
+    });
+    if let [first, others @ ..] = diagnostic.labels.as_slice() {
+        result["locations"] = json!([location(first.span, &first.text, lines)]);
+        if !others.is_empty() {
+            let others = others.iter().map(|label| location(label.span, &label.text, lines));
+            result["relatedLocations"] = others.collect();
+        }
+    }
+    if !diagnostic.mends.is_empty() {
+        result["fixes"] = diagnostic
+            .mends
+            .iter()
+            .map(|mend| {
+                let changes = mend.edits.iter().map(|edit| {
+                    json!({
+                        "artifactLocation": artifact(edit.span, lines),
+                        "replacements": [{
+                            "deletedRegion": region(edit.span, lines),
+                            "insertedContent": { "text": edit.text },
+                        }],
+                    })
+                });
+                let changes: Vec<Value> = changes.collect();
+                json!({ "description": { "text": mend.title }, "artifactChanges": changes })
+            })
+            .collect();
+    }
+    result
+}
+
+fn location(span: Span, text: &str, lines: &mut Lines<'_>) -> Value {
+    let mut location = json!({ "physicalLocation": {
+        "artifactLocation": artifact(span, lines),
+        "region": region(span, lines),
+    } });
+    if !text.is_empty() {
+        location["message"] = json!({ "text": text });
+    }
+    location
+}
+
+fn artifact(span: Span, lines: &Lines<'_>) -> Value {
+    json!({ "uri": uri(&lines.sources().get(span.file).name) })
+}
+
+fn region(span: Span, lines: &mut Lines<'_>) -> Value {
+    let (start, end) = lines.positions(span);
+    json!({
+        "startLine": start.line,
+        "startColumn": start.column,
+        "endLine": end.line,
+        "endColumn": end.column,
+    })
+}
+
+/// A path as a reference of RFC 3986: slashes between its parts, all else that has a meaning there
+/// in percent escapes.
+fn uri(path: &str) -> String {
+    let path = if cfg!(windows) { path.replace('\\', "/") } else { path.to_string() };
+    let mut uri = String::new();
+    for byte in path.bytes() {
+        match byte {
+            b'/' | b'-' | b'.' | b'_' | b'~' => uri.push(char::from(byte)),
+            _ if byte.is_ascii_alphanumeric() => uri.push(char::from(byte)),
+            _ => uri.push_str(&format!("%{byte:02X}")),
+        }
+    }
+    uri
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_become_references() {
+        assert_eq!(uri("../scenes/a.scn"), "../scenes/a.scn");
+        assert_eq!(uri("a b:c%\u{e9}.scn"), "a%20b%3Ac%25%C3%A9.scn");
+    }
+
+    #[test]
+    fn places_mends_and_rules_are_told() {
+        let mut sources = Sources::new();
+        let file = sources.add("a.scn", "\u{e9}x = 1\n");
+        let fault = Diagnostic::warning(Code::SYNTAX_COLON_OR_EQUALS, "wrong")
+            .label(Span::new(file, 2, 3), "here")
+            .label(Span::new(file, 4, 5), "and there")
+            .mend("write `:`", Span::new(file, 4, 5), ":");
+        let bare = Diagnostic::error(Code::FILE_UNREADABLE, "nowhere").why("Why.");
+        let log = report(&[fault, bare], &sources, ("scn", "0"));
+        let run = &log["runs"][0];
+        let first = &run["results"][0];
+        assert_eq!(run["tool"]["driver"]["rules"][0]["id"], "file/unreadable");
+        assert_eq!((&first["ruleIndex"], &first["level"]), (&json!(1), &json!("warning")));
+        let region = &first["locations"][0]["physicalLocation"]["region"];
+        assert_eq!((&region["startColumn"], &region["endColumn"]), (&json!(2), &json!(3)));
+        assert_eq!(first["relatedLocations"][0]["message"]["text"], "and there");
+        let change = &first["fixes"][0]["artifactChanges"][0];
+        assert_eq!(change["replacements"][0]["insertedContent"]["text"], ":");
+        assert_eq!(run["results"][1]["message"]["text"], "nowhere\nWhy.");
+        assert_eq!(run["results"][1].get("locations"), None);
+    }
+}

@@ -1,0 +1,163 @@
+//! Legal, but probably not what was meant: one rule, one file in `rules`.
+//!
+//! An error has no right picture; a lint has one, and a reason to doubt that it is the one that
+//! was meant. So every finding is a warning, none fires on good practice, and a comment
+//! `// lint: allow(rule) because "…"` keeps one that was meant.
+
+mod allow;
+mod errors;
+mod fix;
+mod placed;
+mod rules;
+mod selection;
+mod view;
+
+use std::collections::HashMap;
+
+use crate::diag::{Code, Diagnostic, Span};
+use crate::lang::outline::{Declared, Outline};
+use crate::load::Stage;
+use crate::scene::At;
+
+pub use allow::{Seen, allowed};
+pub use fix::{Fixed, fixed};
+pub use selection::Selection;
+
+/// A rule: the code of what it finds, and how it looks for it.
+struct Rule {
+    /// The code; the heading of its page says in a few words what it finds.
+    code: Code,
+    /// How it looks.
+    look: Look,
+}
+
+/// What a rule looks at.
+enum Look {
+    /// What the file declares.
+    Text(fn(&Text, &mut Vec<Diagnostic>)),
+    /// One render by itself; what several have in common is told once.
+    Render(fn(&Shot, &mut Vec<Diagnostic>)),
+    /// All renders of a file: what no render at all makes use of, what two have in common.
+    Renders(fn(&[Shot], &mut Vec<Diagnostic>)),
+}
+
+/// The words of a file.
+pub struct Text<'a> {
+    /// What it declares.
+    pub outline: &'a Outline,
+    /// Whether it has renders. One without is there for others to use.
+    pub draws: bool,
+}
+
+impl<'a> Text<'a> {
+    /// The declarations of the main file.
+    fn declared(&self) -> impl Iterator<Item = &'a Declared> {
+        let main = self.outline.files.first();
+        self.outline.declared.iter().filter(move |said| Some(&said.at.file) == main)
+    }
+
+    /// Those that nothing mentions, and that no other file could be meant to use.
+    fn unused(&self) -> impl Iterator<Item = &'a Declared> {
+        let draws = self.draws;
+        self.declared().filter(move |said| !said.used && (draws || said.inside))
+    }
+}
+
+/// A render that has no errors, ready to be looked at.
+pub struct Shot<'a> {
+    name: At<String>,
+    stage: &'a Stage,
+    things: Vec<placed::Thing<'a>>,
+}
+
+impl<'a> Shot<'a> {
+    /// A render by its name and stage.
+    pub fn new(name: At<String>, stage: &'a Stage) -> Self {
+        Self { name, stage, things: placed::things(stage) }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name.value
+    }
+}
+
+/// What the rules find in the words of a file, and in its renders together.
+pub fn of_file(text: &Text, shots: &[Shot]) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for rule in rules::RULES {
+        match rule.look {
+            Look::Text(look) => look(text, &mut found),
+            Look::Renders(look) => look(shots, &mut found),
+            Look::Render(_) => {}
+        }
+    }
+    found
+}
+
+/// What the rules find in one render.
+pub fn of_render(shot: &Shot) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for rule in rules::RULES {
+        if let Look::Render(look) = rule.look {
+            look(shot, &mut found);
+        }
+    }
+    found
+}
+
+/// What is wrong with a place in all renders that have it. `judge` gives the places of a render,
+/// each with what is wrong there, if anything is.
+fn everywhere(
+    shots: &[Shot],
+    judge: impl Fn(&Shot) -> Vec<(Span, Option<Diagnostic>)>,
+) -> Vec<Diagnostic> {
+    let mut places: Vec<(Span, Option<Diagnostic>)> = Vec::new();
+    let mut known: HashMap<Span, usize> = HashMap::new();
+    for (place, fault) in shots.iter().flat_map(judge) {
+        match known.get(&place) {
+            None => {
+                known.insert(place, places.len());
+                places.push((place, fault));
+            }
+            Some(at) if fault.is_none() => places[*at].1 = None,
+            Some(_) => {}
+        }
+    }
+    places.into_iter().filter_map(|(_, fault)| fault).collect()
+}
+
+/// "`a`, `b` and `c`"; of many, the first few and how many more.
+fn listed(names: &[&str]) -> String {
+    const TOLD: usize = 4;
+    let quoted: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    match quoted.as_slice() {
+        [] => String::new(),
+        [one] => one.clone(),
+        all if all.len() > TOLD + 1 => {
+            format!("{} and {} more", all[..TOLD].join(", "), all.len() - TOLD)
+        }
+        [most @ .., last] => format!("{} and {last}", most.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diag::CODES;
+
+    #[test]
+    fn every_code_of_the_family_has_its_rule_and_every_rule_its_code() {
+        let rules: Vec<_> = rules::RULES.iter().map(|rule| rule.code.name).collect();
+        assert!(rules.is_sorted());
+        let codes = CODES.iter().map(|code| code.name);
+        let codes = codes.filter(|name| name.starts_with("lint/") && !name.contains("/allow-"));
+        assert_eq!(rules, codes.collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn many_names_become_a_few() {
+        assert_eq!(listed(&["a", "b", "c"]), "`a`, `b` and `c`");
+        assert_eq!(listed(&["a"; 9]), "`a`, `a`, `a`, `a` and 5 more");
+    }
+}

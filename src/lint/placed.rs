@@ -1,0 +1,201 @@
+//! Where the objects of a render are, in metres. What cannot be placed is told by `prepare`, and
+//! left out here.
+
+use glam::{DAffine3, DVec3};
+
+use crate::load::{Stage, StagedMesh};
+use crate::math::{Mesh, Transform};
+use crate::scene::{self, At, Material, Named, Object};
+
+/// An object where it stands.
+pub(super) struct Thing<'a> {
+    /// As the author said it.
+    pub object: &'a Named<Object>,
+    /// Its surface.
+    pub body: Body<'a>,
+    /// Materials of its slots; all but meshes have one.
+    pub materials: Vec<&'a Named<Material>>,
+}
+
+/// A surface in metres; a mirrored one has its front where the mirror shows it.
+pub(super) enum Body<'a> {
+    /// Triangles of a mesh, and the map from its file to metres.
+    Mesh { mesh: &'a Mesh, to_metres: Transform },
+    /// A flat face of three or four corners, counter-clockwise seen from its front.
+    Face { corners: Vec<DVec3> },
+    /// A sphere.
+    Sphere { centre: DVec3, radius: f64 },
+    /// A disk; `normal` has unit length.
+    Disk { centre: DVec3, normal: DVec3, radius: f64 },
+    /// A plane without end; `normal` has unit length.
+    Plane { point: DVec3, normal: DVec3 },
+}
+
+/// A box; `min` is above `max` if it holds nothing.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    pub min: DVec3,
+    pub max: DVec3,
+}
+
+impl Bounds {
+    /// Holds nothing.
+    pub const EMPTY: Self =
+        Self { min: DVec3::splat(f64::INFINITY), max: DVec3::splat(f64::NEG_INFINITY) };
+
+    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
+        let add = |b: Self, p: DVec3| Self { min: b.min.min(p), max: b.max.max(p) };
+        points.into_iter().fold(Self::EMPTY, add)
+    }
+
+    pub fn union(self, other: Self) -> Self {
+        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.min.cmpgt(self.max).any()
+    }
+
+    /// Its diagonal; 0 for an empty one.
+    pub fn size(&self) -> f64 {
+        if self.is_empty() { 0.0 } else { (self.max - self.min).length() }
+    }
+
+    pub fn centre(&self) -> DVec3 {
+        0.5 * self.min + 0.5 * self.max
+    }
+
+    pub fn corners(&self) -> [DVec3; 8] {
+        std::array::from_fn(|i| {
+            let pick = |bit: usize, low: f64, high: f64| if i & bit == 0 { low } else { high };
+            DVec3::new(
+                pick(1, self.min.x, self.max.x),
+                pick(2, self.min.y, self.max.y),
+                pick(4, self.min.z, self.max.z),
+            )
+        })
+    }
+}
+
+/// The objects of a stage that can be placed.
+pub(super) fn things(stage: &Stage) -> Vec<Thing<'_>> {
+    let scene = &*stage.scene;
+    let placed = |(object, mesh)| thing(scene, object, mesh);
+    scene.objects.iter().zip(stage.meshes.iter().map(Option::as_ref)).filter_map(placed).collect()
+}
+
+fn thing<'a>(
+    scene: &'a scene::Scene,
+    object: &'a Named<Object>,
+    staged: Option<&'a StagedMesh>,
+) -> Option<Thing<'a>> {
+    let (place, material) = match &object.value.value {
+        Object::Disk(it) => (&it.place, Some(&it.material)),
+        Object::Mesh(it) => (&it.place, None),
+        Object::Plane(it) => (&it.place, Some(&it.material)),
+        Object::Quad(it) => (&it.place, Some(&it.material)),
+        Object::Sphere(it) => (&it.place, Some(&it.material)),
+        Object::Triangle(it) => (&it.place, Some(&it.material)),
+    };
+    let map = place.transform();
+    let materials = match material {
+        Some(material) => vec![scene.material(material)],
+        None => staged?.materials.iter().collect(),
+    };
+    let body = map.is_invertible().then(|| body(&object.value, staged, map))??;
+    let thing = Thing { object, body, materials };
+    thing.is_finite().then_some(thing)
+}
+
+fn body<'a>(
+    object: &At<Object>,
+    staged: Option<&'a StagedMesh>,
+    map: Transform,
+) -> Option<Body<'a>> {
+    let front = |normal: DVec3| {
+        let turned = map.normal(normal).normalize_or(normal);
+        if map.mirrors() { -turned } else { turned }
+    };
+    let face = |mut corners: Vec<DVec3>| {
+        corners.iter_mut().for_each(|corner| *corner = map.point(*corner));
+        if map.mirrors() {
+            corners.reverse();
+        }
+        Body::Face { corners }
+    };
+    Some(match &object.value {
+        Object::Disk(it) => Body::Disk {
+            centre: map.point(it.center.0),
+            normal: front(it.normal.0),
+            radius: map.uniform_scale()? * it.radius.0,
+        },
+        Object::Mesh(it) => {
+            let unit = Transform(DAffine3::from_scale(DVec3::splat(it.unit.0)));
+            Body::Mesh { mesh: &staged?.mesh, to_metres: unit.then(map) }
+        }
+        Object::Plane(it) => {
+            Body::Plane { point: map.point(it.point.0), normal: front(it.normal.0) }
+        }
+        Object::Quad(it) => {
+            let (corner, u, v) = (it.corner.0, it.u.0, it.v.0);
+            face(vec![corner, corner + u, corner + u + v, corner + v])
+        }
+        Object::Sphere(it) => Body::Sphere {
+            centre: map.point(it.center.0),
+            radius: map.uniform_scale()? * it.radius.0,
+        },
+        Object::Triangle(it) => face(vec![it.a.0, it.b.0, it.c.0]),
+    })
+}
+
+impl Thing<'_> {
+    /// Its name.
+    pub fn name(&self) -> &At<String> {
+        &self.object.name
+    }
+
+    /// Whether any of its surface shines.
+    pub fn shines(&self) -> bool {
+        self.materials.iter().any(|material| shines(material))
+    }
+
+    /// The box around it; empty for a plane.
+    pub fn bounds(&self) -> Bounds {
+        match &self.body {
+            Body::Mesh { mesh, to_metres } => {
+                let corners = mesh.triangles.iter().flatten();
+                Bounds::around(corners.map(|i| to_metres.point(mesh.positions[*i as usize])))
+            }
+            Body::Face { corners } => Bounds::around(corners.iter().copied()),
+            Body::Sphere { centre, radius } => {
+                Bounds { min: *centre - *radius, max: *centre + *radius }
+            }
+            Body::Disk { centre, normal, radius } => {
+                let reach =
+                    *radius * (DVec3::ONE - *normal * *normal).max(DVec3::ZERO).map(f64::sqrt);
+                Bounds { min: *centre - reach, max: *centre + reach }
+            }
+            Body::Plane { .. } => Bounds::EMPTY,
+        }
+    }
+
+    /// Whether its coordinates can be reckoned with.
+    fn is_finite(&self) -> bool {
+        // Their products of six stay far from the ends of f64.
+        const MOST: f64 = 1e40;
+        let near = |p: DVec3| p.is_finite() && p.abs().max_element() <= MOST;
+        match &self.body {
+            Body::Plane { point, .. } => near(*point),
+            _ => {
+                let bounds = self.bounds();
+                near(bounds.min) && near(bounds.max) && bounds.size() >= 1.0 / MOST
+            }
+        }
+    }
+}
+
+/// Whether a material shines of itself.
+pub(super) fn shines(material: &Named<Material>) -> bool {
+    let Material::Diffuse(diffuse) = &material.value.value;
+    !diffuse.emission.0.is_zero()
+}

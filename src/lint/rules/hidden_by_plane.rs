@@ -1,0 +1,51 @@
+//! An object wholly behind a plane without end, seen from the camera: under the floor.
+
+use glam::DVec3;
+
+use crate::diag::{Code, Diagnostic, Span};
+use crate::lint::Shot;
+use crate::lint::placed::{Body, Bounds, Thing};
+use crate::lint::view::eye;
+
+/// Parts of an object's size by which it may rise from the plane and still be told: rounding.
+const ROUNDING: f64 = 1e-9;
+
+pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
+    let Some((eye, at)) = eye(shot) else { return };
+    let boxes: Vec<(&Thing, Bounds)> = shot.things.iter().map(|it| (it, it.bounds())).collect();
+    let bounded: Vec<_> = boxes.iter().filter(|(_, bounds)| !bounds.is_empty()).collect();
+    for plane in &shot.things {
+        let Body::Plane { point, normal } = plane.body else { continue };
+        let side = (eye - point).dot(normal).signum();
+        let hidden = |bounds: &Bounds| {
+            let most = ROUNDING * bounds.size();
+            bounds.corners().iter().all(|p: &DVec3| (*p - point).dot(normal) * side <= most)
+        };
+        let behind: Vec<_> = bounded.iter().filter(|(_, bounds)| hidden(bounds)).collect();
+        if !behind.is_empty() && behind.len() == bounded.len() {
+            found.push(camera(plane, at));
+            continue;
+        }
+        // Without shadows a lamp shines through the floor.
+        for (thing, _) in behind.iter().filter(|(thing, _)| !thing.shines()) {
+            found.push(object(thing, plane));
+        }
+    }
+}
+
+fn camera(plane: &Thing, at: Span) -> Diagnostic {
+    let headline = format!("the plane `{}` hides everything from the camera", plane.name().value);
+    Diagnostic::warning(Code::LINT_HIDDEN_BY_PLANE, headline)
+        .label(at, "stands on one side of it")
+        .label(plane.name().span, "all objects are on its other side")
+        .help("raise the camera above the plane, or lower the plane")
+}
+
+fn object(thing: &Thing, plane: &Thing) -> Diagnostic {
+    let (name, floor) = (&thing.name().value, &plane.name().value);
+    let headline = format!("`{name}` is hidden behind the plane `{floor}`");
+    Diagnostic::warning(Code::LINT_HIDDEN_BY_PLANE, headline)
+        .label(thing.name().span, "no part of it is on the camera's side")
+        .label(plane.name().span, "has no end, and lets nothing through")
+        .help(format!("move `{name}`, or the plane's `point`, so that it can be seen"))
+}

@@ -1,0 +1,33 @@
+//! The rules: one a file, with its tests; what each finds stands on its page, docs/errors/lint.
+
+mod albedo_above_one;
+mod camera_sees_nothing;
+mod hidden_by_plane;
+mod names_by_case;
+mod same_picture;
+mod suspicious_unit;
+mod unseen_light;
+mod unused_let;
+mod unused_material;
+mod unused_parameter;
+mod unused_setup;
+mod unused_variable;
+
+use super::{Look, Rule};
+use crate::diag::Code;
+
+/// Every rule, one a line, in the order of their codes.
+pub(super) static RULES: &[Rule] = &[
+    Rule { code: Code::LINT_ALBEDO_ABOVE_ONE, look: Look::Render(albedo_above_one::look) },
+    Rule { code: Code::LINT_CAMERA_SEES_NOTHING, look: Look::Render(camera_sees_nothing::look) },
+    Rule { code: Code::LINT_HIDDEN_BY_PLANE, look: Look::Render(hidden_by_plane::look) },
+    Rule { code: Code::LINT_NAMES_BY_CASE, look: Look::Text(names_by_case::look) },
+    Rule { code: Code::LINT_SAME_PICTURE, look: Look::Renders(same_picture::look) },
+    Rule { code: Code::LINT_SUSPICIOUS_UNIT, look: Look::Render(suspicious_unit::look) },
+    Rule { code: Code::LINT_UNSEEN_LIGHT, look: Look::Renders(unseen_light::look) },
+    Rule { code: Code::LINT_UNUSED_LET, look: Look::Text(unused_let::look) },
+    Rule { code: Code::LINT_UNUSED_MATERIAL, look: Look::Text(unused_material::look) },
+    Rule { code: Code::LINT_UNUSED_PARAMETER, look: Look::Text(unused_parameter::look) },
+    Rule { code: Code::LINT_UNUSED_SETUP, look: Look::Text(unused_setup::look) },
+    Rule { code: Code::LINT_UNUSED_VARIABLE, look: Look::Text(unused_variable::look) },
+];

@@ -1,0 +1,101 @@
+//! `scn lint`: what counts, who reads it, what is mended.
+
+use crate::bench::{BALL, Bench};
+
+/// The ball with a material that nothing has, and a comment that is not needed.
+fn doubtful() -> String {
+    format!(
+        "{BALL}\nmaterial spare: diffuse {{ albedo: 0.5 }}\nlet used = 1 ev // lint: \
+         allow(unused-let) because \"once\"\nrender third {{ film.exposure: used }}\n"
+    )
+}
+
+#[test]
+fn warnings_count_where_they_are_denied() {
+    let bench = Bench::new();
+    bench.put("my.scn", doubtful());
+    let told = bench.run("lint my.scn").ends(0).stdout;
+    assert!(told.contains("warning[lint/unused-material]"), "{told}");
+    assert!(told.contains("warning[lint/allow-unused]"), "{told}");
+    assert!(told.contains("2 warnings in my.scn\n1 of these can be mended by --fix\n"), "{told}");
+    bench.run("lint my.scn --deny warnings").ends(1);
+    bench.run("lint my.scn --deny unused-material").ends(1);
+    bench.run("lint my.scn --deny mesh,lint/unused-let").ends(0);
+    bench.run("lint my.scn --deny warnings --ignore lint").ends(0);
+    bench.run("lint my.scn --deny warnings --select mesh,mtl").ends(0);
+    bench.run("lint my.scn missing.scn --deny warnings").ends(2);
+    let told = bench.run("lint my.scn --select unused-material --format short").ends(0).stdout;
+    let line = "my.scn:16:10: warning[lint/unused-material]: nothing has the material `spare`\n";
+    assert_eq!(told, line);
+    let run = bench.run("lint my.scn --ignore unused-materail").ends(2);
+    run.says("no code is `unused-materail`").says("did you mean `unused-material`");
+}
+
+#[test]
+fn the_form_changes_no_exit_status() {
+    let bench = Bench::new();
+    bench.put("my.scn", doubtful());
+    bench.put("bad.scn", BALL.replace("albedo: 0.8", "albedo: -0.8"));
+    for form in ["human", "short", "json", "sarif", "github"] {
+        let run = |rest: &str| bench.run(&format!("lint --format {form} {rest}"));
+        assert!(run("my.scn").ends(0).stdout.contains("lint/unused-material"));
+        run("my.scn --deny warnings").ends(1);
+        run("my.scn bad.scn").ends(1);
+        run("bad.scn missing.scn").ends(2);
+        let clean = run("ball.scn").ends(0).stdout;
+        assert!(clean.is_empty() || clean.starts_with('{'), "{clean}");
+    }
+}
+
+#[test]
+fn mends_that_are_safe_are_made() {
+    let bench = Bench::new();
+    let before = doubtful();
+    bench.put("my.scn", &before);
+    let diff = bench.run("lint my.scn --diff").ends(0).stdout;
+    assert!(diff.starts_with("--- my.scn\n+++ my.scn\n@@ "), "{diff}");
+    assert!(diff.contains("-let used = 1 ev // lint:") && diff.contains("+let used = 1 ev\n"));
+    assert_eq!(std::fs::read_to_string(bench.path("my.scn")).unwrap(), before);
+
+    let run = bench.run("lint my.scn --fix").ends(0).says("my.scn: 1 mend\n");
+    assert!(run.stdout.contains("1 warning in my.scn"), "{}", run.stdout);
+    let after = std::fs::read_to_string(bench.path("my.scn")).unwrap();
+    assert_eq!(after, before.replace(" // lint: allow(unused-let) because \"once\"", ""));
+    // Nothing is left to be done.
+    assert_eq!(bench.run("lint my.scn --diff").ends(0).stdout, "");
+    bench.run("lint my.scn --fix --deny warnings").ends(1);
+    assert_eq!(std::fs::read_to_string(bench.path("my.scn")).unwrap(), after);
+}
+
+#[test]
+fn what_is_not_told_is_not_mended() {
+    let bench = Bench::new();
+    bench.put("my.scn", doubtful());
+    bench.run("lint my.scn --fix --ignore allow-unused").ends(0);
+    assert_eq!(std::fs::read_to_string(bench.path("my.scn")).unwrap(), doubtful());
+}
+
+#[test]
+fn rendering_tells_of_warnings_in_a_line_each() {
+    let bench = Bench::new();
+    bench.put("my.scn", doubtful());
+    let run = bench.run("render my.scn --only left --samples 1").well();
+    let line = "my.scn:16:10: warning[lint/unused-material]: nothing has the material `spare`\n";
+    assert!(run.stderr.contains(line), "{}", run.stderr);
+    assert!(run.stderr.contains("`scn lint my.scn` tells more\n"), "{}", run.stderr);
+    // Of the renders that are not made nothing is known.
+    assert!(!run.stderr.contains("allow-unused"), "{}", run.stderr);
+    let quiet = bench.run("render my.scn --only left --samples 1 --quiet").well();
+    assert_eq!(quiet.stderr, "");
+}
+
+#[test]
+fn every_rule_is_listed() {
+    let bench = Bench::new();
+    let list = bench.run("lint --list").well().stdout;
+    for code in scn::diag::CODES.iter().filter(|code| code.name.starts_with("lint/")) {
+        let row = list.lines().find(|line| line.trim_start().starts_with(code.name)).unwrap();
+        assert!(row.contains(code.title()) && row.chars().count() <= 100, "{row}");
+    }
+    assert_eq!(bench.run("list lints").well().stdout, list);
+}
