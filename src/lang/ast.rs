@@ -1,5 +1,6 @@
 //! A scene file as a tree: what stands where, before any word means anything.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use crate::diag::Span;
@@ -42,7 +43,7 @@ pub struct File {
     /// What the file says, in its order.
     pub items: Vec<Item>,
     /// Words of items that could not be read: what they declare is not missing.
-    pub broken_words: Vec<String>,
+    pub broken_words: HashSet<String>,
 }
 
 /// An item.

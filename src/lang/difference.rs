@@ -135,11 +135,11 @@ impl Composer<'_> {
                 let there =
                     group.iter().any(|(_, lower)| states(lower) && self.wins(action, lower));
                 if !there && !self.lenient {
-                    let all = named(kind.word);
                     let name = &action.name;
-                    let told =
-                        names::unknown_target(kind.word, &name.text, name.span, &all, "remove");
-                    self.ev.reports.tell_unknown(&name.text, told);
+                    self.ev.reports.tell_unknown_with(&name.text, name.span, || {
+                        let all = named(kind.word);
+                        names::unknown_target(kind.word, &name.text, name.span, &all, "remove")
+                    });
                 }
                 return Some(None);
             }
@@ -152,7 +152,7 @@ impl Composer<'_> {
             (None, Some(default)) => (action.name.clone(), default_value(self.ev, default)),
             (None, None) => {
                 if !self.lenient {
-                    self.tell_nothing(action, &named(kind.word));
+                    self.tell_nothing(action, &|| named(kind.word));
                 }
                 return None;
             }
@@ -167,11 +167,12 @@ impl Composer<'_> {
         Some(Some((before.0, value)))
     }
 
-    fn tell_nothing(&self, action: &Action, all: &[&str]) {
+    fn tell_nothing<'n>(&self, action: &Action, all: &dyn Fn() -> Vec<&'n str>) {
         let (kind, name) = (action.kind.word, &action.name);
         if action.kind.named {
-            let told = names::unknown_target(kind, &name.text, name.span, all, "change");
-            self.ev.reports.tell_unknown(&name.text, told);
+            self.ev.reports.tell_unknown_with(&name.text, name.span, || {
+                names::unknown_target(kind, &name.text, name.span, &all(), "change")
+            });
         } else {
             let told = render::nothing_to_change(kind, &action.text(), action.path);
             self.ev.reports.tell_unknown(kind, told);

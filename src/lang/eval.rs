@@ -209,8 +209,9 @@ impl Evaluator {
             return value;
         }
         arithmetic::known(&word.text, expr.span).unwrap_or_else(|| {
-            let told = names::unknown_value(&word.text, expr.span, &env.all());
-            self.reports.tell_unknown(&word.text, told);
+            self.reports.tell_unknown_with(&word.text, expr.span, || {
+                names::unknown_value(&word.text, expr.span, &env.all())
+            });
             Value::broken(expr.span)
         })
     }
@@ -339,10 +340,11 @@ impl Evaluator {
                 Value::broken(span)
             }
             None => functions::call(self, word, values, span).unwrap_or_else(|| {
-                let all: Vec<_> = env.all();
-                let all: Vec<&str> = all.iter().map(|name| &**name).collect();
-                let told = names::unknown_function(&word.text, word.span, &all);
-                self.reports.tell_unknown(&word.text, told);
+                self.reports.tell_unknown_with(&word.text, word.span, || {
+                    let all: Vec<_> = env.all();
+                    let all: Vec<&str> = all.iter().map(|name| &**name).collect();
+                    names::unknown_function(&word.text, word.span, &all)
+                });
                 Value::broken(span)
             }),
         }

@@ -31,6 +31,7 @@ pub fn gather(
 ) -> Vec<Unit> {
     let identity = library.identity(path);
     let mut units = vec![read(path.to_path_buf(), identity, text, sources, ev)];
+    let mut bytes = text.len();
     let mut at = 0;
     while at < units.len() {
         let wanted = units[at].tree.items.iter().filter_map(|item| match item {
@@ -52,7 +53,12 @@ pub fn gather(
                 continue;
             }
             match library.read(&path) {
+                Ok(text) if bytes + text.len() > limits::ALL_BYTES => {
+                    ev.reports.tell(import::too_much(&name.text, name.span));
+                    ev.reports.file_is_missing();
+                }
                 Ok(text) => {
+                    bytes += text.len();
                     units.push(read(path, identity, &text, sources, ev));
                     let new = units.len() - 1;
                     units[at].uses.push((new, name));
@@ -83,8 +89,8 @@ fn read(
     let id = sources.add(path.to_string_lossy(), text);
     let parsed = parse::file(text, id);
     // A unit that could not be read is not missing as well.
-    let unreadable = parsed.diagnostics.iter().any(|told| told.code == Code::SYNTAX_FILE_UNIT);
-    ev.reports.tell_text(parsed.diagnostics);
+    let unreadable = parsed.faults.kept.iter().any(|told| told.code == Code::SYNTAX_FILE_UNIT);
+    ev.reports.tell_text(id, parsed.faults);
     ev.reports.mute(parsed.muted);
     ev.reports.poison(parsed.tree.broken_words.iter().cloned());
     let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();

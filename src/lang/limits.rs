@@ -3,6 +3,10 @@
 
 /// Bytes of one file.
 pub const FILE_BYTES: usize = 8 << 20;
+/// Bytes of all files of one scene.
+pub const ALL_BYTES: usize = 32 << 20;
+/// Faults told of one file; the others are counted.
+pub const FAULTS: usize = 1000;
 /// Files of one scene.
 pub const FILES: usize = 256;
 /// Brackets inside brackets, signs before a number, calls inside calls.

@@ -8,6 +8,7 @@ mod defaults;
 mod difference;
 mod errors;
 mod eval;
+mod faults;
 pub mod format;
 mod functions;
 mod import;
@@ -120,13 +121,13 @@ fn read_sets(
         let equals = text.match_indices('=').map(|(at, _)| at).find(|at| !quoted(*at));
         let Some(equals) = equals else {
             let whole = Span::new(id, 0, text.len());
-            ev.reports.tell_text(vec![errors::syntax::set_argument(whole)]);
+            ev.reports.tell(errors::syntax::set_argument(whole));
             continue;
         };
         let mut said = text.clone();
         said.replace_range(equals..=equals, ":");
         let parsed = parse::set(&said, id);
-        ev.reports.tell_text(parsed.diagnostics);
+        ev.reports.tell_text(id, parsed.faults);
         all.extend(parsed.tree);
     }
     all
@@ -134,7 +135,7 @@ fn read_sets(
 
 /// A file without `render` is one render called like the file, unless all it does is to define
 /// what others use.
-fn implicit_render(plan: &mut Plan, path: &Path, items: &[ast::Item], broken: &[String]) {
+fn implicit_render(plan: &mut Plan, path: &Path, items: &[ast::Item], broken: &HashSet<String>) {
     fn asks(items: &[ast::Item]) -> bool {
         items.iter().any(|item| match item {
             ast::Item::Render(_) => true,
@@ -146,7 +147,7 @@ fn implicit_render(plan: &mut Plan, path: &Path, items: &[ast::Item], broken: &[
         |word: &str| KINDS.iter().any(|kind| lower::references(&kind.ty).contains(&word));
     let draws = plan.scopes[TOP].actions.iter().any(|action| !referred(action.kind.word));
     let defines = items.iter().any(|item| !matches!(item, ast::Item::Use(_) | ast::Item::For(_)));
-    let asked = asks(items) || broken.iter().any(|word| word == "render");
+    let asked = asks(items) || broken.contains("render");
     if asked || (defines && !draws) {
         return;
     }

@@ -1,17 +1,20 @@
 //! Where faults are told: each once, and none that follows from another.
 
 use std::cell::{Cell, RefCell};
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
-use crate::diag::{Code, Diagnostic, Level, Span};
+use super::faults::Faults;
+use crate::diag::{Code, Diagnostic, FileId, Level, Span};
 
 /// What has been told so far.
 #[derive(Default)]
 pub struct Reports {
-    told: RefCell<Vec<Diagnostic>>,
+    /// By the text they stand in.
+    told: RefCell<BTreeMap<Option<FileId>, Faults>>,
     seen: RefCell<HashSet<(Code, Option<Span>)>>,
     muted: RefCell<Vec<Span>>,
     broken: RefCell<HashSet<String>>,
+    no_kinds: RefCell<HashSet<String>>,
     incomplete: Cell<bool>,
     used: Cell<Option<Span>>,
     errors: Cell<usize>,
@@ -36,7 +39,21 @@ impl Reports {
             }
         }
         if self.seen.borrow_mut().insert((diagnostic.code, place)) {
-            self.told.borrow_mut().push(diagnostic);
+            self.told.borrow_mut().entry(place.map(|p| p.file)).or_default().push(diagnostic);
+        }
+    }
+
+    /// Tells the fault of `place`, which is built only if it will be told: for faults of which a
+    /// text may have a great many, each found once.
+    pub fn tell_with(&self, place: Span, build: impl FnOnce() -> Diagnostic) {
+        let full = self.told.borrow().get(&Some(place.file)).is_some_and(Faults::is_full);
+        match full {
+            false => self.tell(build()),
+            true => {
+                self.errors.set(self.errors.get() + 1);
+                let mut told = self.told.borrow_mut();
+                told.entry(Some(place.file)).or_default().push_with(build);
+            }
         }
     }
 
@@ -55,16 +72,25 @@ impl Reports {
         }
     }
 
+    /// The same, built only if it will be told, as by [`Self::tell_with`].
+    pub fn tell_unknown_with(&self, name: &str, place: Span, build: impl FnOnce() -> Diagnostic) {
+        if self.may_exist(name) {
+            self.errors.set(self.errors.get() + 1);
+        } else {
+            self.tell_with(place, build);
+        }
+    }
+
     /// Whether a name may be defined by something that could not be read.
     pub fn may_exist(&self, name: &str) -> bool {
         self.incomplete.get() || self.broken.borrow().contains(name)
     }
 
     /// Tells faults of a text as they are.
-    pub fn tell_text(&self, diagnostics: Vec<Diagnostic>) {
-        self.errors.set(self.errors.get() + diagnostics.len());
-        self.seen.borrow_mut().extend(diagnostics.iter().map(|d| (d.code, d.place())));
-        self.told.borrow_mut().extend(diagnostics);
+    pub fn tell_text(&self, text: FileId, faults: Faults) {
+        self.errors.set(self.errors.get() + faults.len());
+        self.seen.borrow_mut().extend(faults.kept.iter().map(|d| (d.code, d.place())));
+        self.told.borrow_mut().entry(Some(text)).or_default().append(faults);
     }
 
     /// From here on, nothing that stands there is told.
@@ -75,6 +101,11 @@ impl Reports {
     /// These words may be names of something that could not be read.
     pub fn poison(&self, words: impl IntoIterator<Item = String>) {
         self.broken.borrow_mut().extend(words);
+    }
+
+    /// This word is no kind; true if that is new.
+    pub fn is_no_kind(&self, word: &str) -> bool {
+        self.no_kinds.borrow_mut().insert(word.to_string())
     }
 
     /// A file could not be read: any name may be its.
@@ -89,7 +120,8 @@ impl Reports {
 
     /// Everything told, in the order of the texts.
     pub fn finish(self) -> Vec<Diagnostic> {
-        let mut told = self.told.into_inner();
+        let told = self.told.into_inner();
+        let mut told: Vec<_> = told.into_values().flat_map(Faults::finish).collect();
         told.sort_by_key(|d| d.place().map(|span| (span.file, span.start)));
         told
     }

@@ -168,14 +168,16 @@ fn action(
     };
     match (found, name) {
         (None, name) => {
-            reports.tell(names::unknown_kind(kind));
+            reports.tell_with(kind.span, || names::unknown_kind(kind));
             reports.poison(name.map(|name| name.text.to_string()));
             // It may be meant to be any of the kinds that must be stated.
-            reports.poison(
-                super::errors::nearest(&kind.text, KINDS.iter().map(|k| k.word))
-                    .into_iter()
-                    .map(String::from),
-            );
+            if reports.is_no_kind(&kind.text) {
+                reports.poison(
+                    super::errors::nearest(&kind.text, KINDS.iter().map(|k| k.word))
+                        .into_iter()
+                        .map(String::from),
+                );
+            }
             None
         }
         (Some(kind_found), Some(name)) if !kind_found.named => {
@@ -379,11 +381,12 @@ impl Planner<'_> {
                 match self.named.get(&base.text) {
                     Some((scope, _)) => found.push(*scope),
                     None => {
-                        let others = self.named.iter().filter(|(_, (scope, _))| *scope != i);
-                        let mut all: Vec<_> = others.map(|(name, _)| &**name).collect();
-                        all.sort_unstable();
-                        let told = names::unknown_setup(base, &all);
-                        self.ev.reports.tell_unknown(&base.text, told);
+                        self.ev.reports.tell_unknown_with(&base.text, base.span, || {
+                            let others = self.named.iter().filter(|(_, (scope, _))| *scope != i);
+                            let mut all: Vec<_> = others.map(|(name, _)| &**name).collect();
+                            all.sort_unstable();
+                            names::unknown_setup(base, &all)
+                        });
                     }
                 }
             }

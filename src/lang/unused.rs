@@ -64,15 +64,16 @@ fn words(ev: &Evaluator, value: &Expr, env: &Env, known: &HashSet<&str>) {
         if exists {
             continue;
         }
-        let names = env.all();
-        let told = match called {
-            true => {
-                let names: Vec<_> = names.iter().map(|name| &**name).collect();
-                name::unknown_function(text, word.span, &names)
+        ev.reports.tell_unknown_with(text, word.span, || {
+            let names = env.all();
+            match called {
+                true => {
+                    let names: Vec<_> = names.iter().map(|name| &**name).collect();
+                    name::unknown_function(text, word.span, &names)
+                }
+                false => name::unknown_value(text, word.span, &names),
             }
-            false => name::unknown_value(text, word.span, &names),
-        };
-        ev.reports.tell_unknown(text, told);
+        });
     }
 }
 

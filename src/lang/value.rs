@@ -154,10 +154,13 @@ impl Env {
 
     /// All names, for the nearest one.
     pub fn all(&self) -> Vec<Arc<str>> {
+        // Among more than these no person looks for a name.
+        const MOST: usize = 2000;
         let mut found = Vec::new();
         let mut frame = Some(self);
         while let Some(Env(here)) = frame {
-            found.extend(here.names.borrow().keys().cloned());
+            let names = here.names.borrow();
+            found.extend(names.keys().filter(|_| names.len() <= MOST).cloned());
             frame = here.outer.as_ref();
         }
         found
@@ -201,15 +204,24 @@ impl Value {
     }
 }
 
-/// A number as a person writes it: the fewest digits, no exponent, and its unit.
+/// A number as a person writes it, with its unit.
 pub fn shown(value: f64, dimension: Dimension, unit: Option<&Unit>) -> String {
     let degrees = crate::math::units::find("deg");
     let unit = unit.or(degrees).filter(|unit| unit.dimension == dimension);
     let (value, word) = match unit {
-        Some(unit) => (neat(value / unit.scale), unit.word.to_string()),
-        None => (neat(value), dimension.unit()),
+        Some(unit) => (digits(value / unit.scale), unit.word.to_string()),
+        None => (digits(value), dimension.unit()),
     };
-    if word.is_empty() { format!("{value}") } else { format!("{value} {word}") }
+    if word.is_empty() { value } else { format!("{value} {word}") }
+}
+
+/// A number as people write it: very large and very small ones with an exponent.
+pub fn digits(value: f64) -> String {
+    let value = neat(value);
+    match value.abs() {
+        0.0 | 1e-6..1e15 => value.to_string(),
+        _ => format!("{value:e}"),
+    }
 }
 
 /// Without the dust of rounding: 13 digits.
@@ -227,6 +239,7 @@ mod tests {
         assert_eq!(shown(0.003, Dimension::LENGTH, units::find("mm")), "3 mm");
         assert_eq!(shown(std::f64::consts::PI, Dimension::ANGLE, None), "180 deg");
         assert_eq!(shown(0.1 + 0.2, Dimension::NONE, None), "0.3");
+        assert_eq!(shown(1e308, Dimension::NONE, None), "1e308");
         assert_eq!(shown(4.0, Dimension::RADIANCE, None), "4 W/m^2/sr");
     }
 }

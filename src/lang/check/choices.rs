@@ -134,16 +134,14 @@ impl Checker<'_> {
         kind: Option<&'static str>,
         place: &str,
     ) {
-        let all: Vec<_> = variants.all.iter().map(|record| record.word).collect();
-        let declared: Vec<_> = match kind {
-            Some(kind) => self.names_of(kind),
-            None => Vec::new(),
-        };
         if kind.is_some() && self.lenient(word.span) {
             return;
         }
-        let told = names::unknown_variant(place, variants.name, word, &all, &declared);
-        self.ev.reports.tell_unknown(&word.text, told);
+        self.ev.reports.tell_unknown_with(&word.text, word.span, || {
+            let all: Vec<_> = variants.all.iter().map(|record| record.word).collect();
+            let declared = kind.map_or_else(Vec::new, |kind| self.names_of(kind));
+            names::unknown_variant(place, variants.name, word, &all, &declared)
+        });
     }
 
     pub(super) fn reference(
@@ -171,12 +169,13 @@ impl Checker<'_> {
             let variant = variants.and_then(|v| position(v, &word.text)).filter(|_| !is_text);
             if variant.is_none() {
                 if !self.lenient(word.span) {
-                    let words: Vec<_> =
-                        variants.iter().flat_map(|v| v.all).map(|record| record.word).collect();
-                    let declared = self.names_of(kind);
-                    let place = format!("`{place}`");
-                    let told = names::unknown_declaration(&place, kind, word, &declared, &words);
-                    ev.reports.tell_unknown(&word.text, told);
+                    ev.reports.tell_unknown_with(&word.text, word.span, || {
+                        let words: Vec<_> =
+                            variants.iter().flat_map(|v| v.all).map(|record| record.word).collect();
+                        let declared = self.names_of(kind);
+                        let place = format!("`{place}`");
+                        names::unknown_declaration(&place, kind, word, &declared, &words)
+                    });
                 }
                 return None;
             }

@@ -23,6 +23,16 @@ pub fn too_many(span: Span) -> Diagnostic {
         .help("put several setups into one file")
 }
 
+/// More text than the limit.
+pub fn too_much(name: &str, span: Span) -> Diagnostic {
+    let most = limits::ALL_BYTES >> 20;
+    let headline =
+        format!("the files of a scene may have {most} MB together, and `{name}` is too much");
+    Diagnostic::error(Code::IMPORT_UNREADABLE, headline)
+        .label(span, "beyond the limit")
+        .help("measured data belongs in files of its own, which the scene names")
+}
+
 /// Files that use each other.
 pub fn circle(files: &[(String, Span)]) -> Diagnostic {
     let names: Vec<_> = files.iter().map(|(name, _)| name.as_str()).collect();

@@ -1,16 +1,21 @@
 //! The faults of a scene file, one function each, by family.
 
 pub mod import;
+pub mod more;
 pub mod name;
 pub mod render;
 pub mod syntax;
 pub mod types;
+
+/// Names that are looked at to find the nearest: more than any person wrote.
+const CANDIDATES: usize = 2000;
 
 /// The words of `all` that look most like `word`, nearest first; at most three.
 pub fn nearest<'w>(word: &str, all: impl IntoIterator<Item = &'w str>) -> Vec<&'w str> {
     let lower = word.to_lowercase();
     let mut found: Vec<(f64, &str)> = all
         .into_iter()
+        .take(CANDIDATES)
         .filter(|other| !other.is_empty() && *other != word)
         .map(|other| {
             let other_lower = other.to_lowercase();

@@ -4,7 +4,7 @@ use super::{listed, with_article};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::ast::Word;
 use crate::lang::limits;
-use crate::lang::value::neat;
+use crate::lang::value::digits;
 use crate::math::units::{Dimension, UNITS};
 use crate::scene::schema::{Bound, Range};
 
@@ -60,15 +60,18 @@ pub fn dimension(what: &str, expected: &str, found: &str, span: Span) -> Diagnos
 /// A bare number where a unit matters.
 pub fn missing_unit(what: &str, dimension: Dimension, value: f64, span: Span) -> Diagnostic {
     let units = units_of(dimension);
-    let choices: Vec<_> = units.iter().map(|unit| format!("{} {unit}", neat(value))).collect();
+    let choices: Vec<_> = units.iter().map(|unit| format!("{} {unit}", digits(value))).collect();
     let name = dimension.name();
-    let headline = format!("{what} is {name}: `{}` needs a unit", neat(value));
+    let headline = format!("{what} is {name}: `{}` needs a unit", digits(value));
     let mut told = Diagnostic::error(Code::TYPE_MISSING_UNIT, headline)
         .label(span, "a unit belongs after this")
         .help(format!("write {}", listed(choices.iter().map(String::as_str), "or")));
     for unit in units {
-        told =
-            told.mend(format!("write `{} {unit}`", neat(value)), span.after(), format!(" {unit}"));
+        told = told.mend(
+            format!("write `{} {unit}`", digits(value)),
+            span.after(),
+            format!(" {unit}"),
+        );
     }
     told
 }
@@ -137,7 +140,7 @@ pub fn missing_fields(
 
 /// A count that is none.
 pub fn not_whole(what: &str, found: f64, span: Span) -> Diagnostic {
-    let found = neat(found);
+    let found = digits(found);
     Diagnostic::error(Code::TYPE_NOT_WHOLE, format!("{what} is a count, and `{found}` is none"))
         .label(span, "a whole number belongs here, zero or more")
 }

@@ -18,7 +18,7 @@ fn formatted(text: &str) -> String {
 /// The tree without its places.
 fn tree(text: &str) -> String {
     let parsed = parse::file(text, FILE);
-    assert!(parsed.diagnostics.is_empty(), "{:#?}\n{text}", parsed.diagnostics);
+    assert!(parsed.faults.is_empty(), "{:#?}\n{text}", parsed.faults);
     let shown = format!("{:?}", parsed.tree);
     let mut kept = String::new();
     for piece in shown.split("Span { ") {
@@ -71,7 +71,7 @@ fn texts() -> Vec<String> {
             _ => {}
         }
     }
-    all.retain(|text| parse::file(text, FILE).diagnostics.is_empty());
+    all.retain(|text| parse::file(text, FILE).faults.is_empty());
     assert!(all.len() > 150, "{}", all.len());
     all
 }
@@ -110,7 +110,7 @@ fn a_comment_is_kept_wherever_it_stands() {
         for (i, at) in places.iter().enumerate().filter(|(i, _)| (i + text.len()) % 7 == 0) {
             let comment = [" // here\n", "\n// alone\n", "// tight\n\n// and one more\n"][i % 3];
             let changed = format!("{}{comment}{}", &text[..*at], &text[*at..]);
-            if parse::file(&changed, FILE).diagnostics.is_empty() {
+            if parse::file(&changed, FILE).faults.is_empty() {
                 check(&changed);
             }
         }
@@ -348,7 +348,7 @@ proptest! {
             let comment = if comment.ends_with('d') { "//c\n\n\n//d\n" } else { comment };
             text.insert_str(gaps[at.index(gaps.len())], comment);
         }
-        prop_assume!(parse::file(&text, FILE).diagnostics.is_empty());
+        prop_assume!(parse::file(&text, FILE).faults.is_empty());
         check(&text);
     }
 

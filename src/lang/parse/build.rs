@@ -1,5 +1,6 @@
 //! pest's pairs → the tree. Tells the faults that the grammar accepts only to have them told.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use super::{Pair, Rule, explain, strings};
@@ -8,6 +9,7 @@ use crate::lang::ast::{
     Expr, ExprKind, File, For, Item, Let, Name, Piece, Render, Set, Setup, Without, Word,
 };
 use crate::lang::errors::syntax;
+use crate::lang::faults::Faults;
 use crate::lang::scan::Scanned;
 use crate::math::units;
 
@@ -19,9 +21,11 @@ pub struct Builder<'t> {
     /// Where the text that is being built begins in the source.
     pub(super) offset: usize,
     semicolon_told: bool,
-    broken_words: Vec<String>,
+    broken_words: HashSet<String>,
     /// What is wrong.
-    pub diagnostics: Vec<Diagnostic>,
+    pub faults: Faults,
+    /// How much was found wrong, what is not told included.
+    found: usize,
     /// Parts of what is wrong, of which nothing more is to be told.
     pub muted: Vec<Span>,
 }
@@ -35,9 +39,18 @@ impl<'t> Builder<'t> {
             scanned,
             offset: 0,
             semicolon_told: false,
-            broken_words: Vec::new(),
-            diagnostics: Vec::new(),
+            broken_words: HashSet::new(),
+            faults: Faults::default(),
+            found: 0,
             muted: Vec::new(),
+        }
+    }
+
+    /// Tells a fault, unless it stands where the text was repaired.
+    pub(super) fn tell(&mut self, fault: Diagnostic) {
+        self.found += 1;
+        if !self.scanned.is_muted(&fault) {
+            self.faults.push(fault);
         }
     }
 
@@ -72,7 +85,7 @@ impl<'t> Builder<'t> {
                 tree.first_line = Some(self.span(&edition));
                 tree.unit = self.edition(edition);
             }
-            None => self.diagnostics.push(syntax::first_line(top)),
+            None => self.tell(syntax::first_line(top)),
         }
         tree.items = self.items(pairs);
         tree.broken_words = std::mem::take(&mut self.broken_words);
@@ -88,13 +101,13 @@ impl<'t> Builder<'t> {
         let edition = number.as_ref().filter(|n| n.as_rule() == Rule::number);
         match edition.map(|n| (n.as_str(), self.span(n))) {
             Some(("1", _)) => {}
-            Some((other, span)) => self.diagnostics.push(syntax::edition(other, span)),
-            None => self.diagnostics.push(syntax::first_line_number(span)),
+            Some((other, span)) => self.tell(syntax::edition(other, span)),
+            None => self.tell(syntax::first_line_number(span)),
         }
         let unit = number.into_iter().chain(pairs).find(|p| p.as_rule() == Rule::file_unit);
         let Some(unit) = unit else {
             if has_in {
-                self.diagnostics.push(syntax::file_unit("", span));
+                self.tell(syntax::file_unit("", span));
             }
             return None;
         };
@@ -110,7 +123,7 @@ impl<'t> Builder<'t> {
         let length = scale.filter(|u| u.dimension == units::Dimension::LENGTH);
         let metres = length.map(|unit| factor * unit.scale).filter(|m| *m > 0.0 && m.is_finite());
         if metres.is_none() {
-            self.diagnostics.push(syntax::file_unit(&text, span));
+            self.tell(syntax::file_unit(&text, span));
         }
         metres
     }
@@ -138,10 +151,10 @@ impl<'t> Builder<'t> {
             let parted = last.is_none() || self.source[last_end..start].contains('\n');
             if !parted && rule != Rule::broken {
                 let last = last.expect("not parted from it");
-                self.diagnostics.push(syntax::missing_separator(last, span, "item"));
+                self.tell(syntax::missing_separator(last, span, "item"));
             }
-            let faultless = self.diagnostics.len() == before_last;
-            before_last = self.diagnostics.len();
+            let faultless = self.found == before_last;
+            before_last = self.found;
             if rule == Rule::broken {
                 // No byte is passed over in silence: what follows an item on its line is told,
                 // unless it may be a consequence of a fault in that item.
@@ -156,7 +169,7 @@ impl<'t> Builder<'t> {
 
     pub(super) fn semicolon(&mut self, pair: &Pair) {
         if !self.semicolon_told {
-            self.diagnostics.push(syntax::semicolon(self.span(pair)));
+            self.tell(syntax::semicolon(self.span(pair)));
             self.semicolon_told = true;
         }
     }
@@ -171,7 +184,7 @@ impl<'t> Builder<'t> {
                 None => explain::item(self, code(text), start),
                 Some(last) => explain::leftover(self, code(text), start, last),
             };
-            self.diagnostics.push(told);
+            self.tell(told);
         }
     }
 
@@ -211,13 +224,13 @@ impl<'t> Builder<'t> {
             Rule::set => Item::Set(Arc::new(self.set(pair))),
             Rule::valueless => {
                 let text = code(pair.as_str()).trim_end_matches([':', '=']).trim_end();
-                self.diagnostics.push(syntax::missing_value(text, span));
+                self.tell(syntax::missing_value(text, span));
                 self.poison(text);
                 return None;
             }
             Rule::colonless => return self.colonless(pair),
             Rule::bodiless => {
-                self.diagnostics.push(syntax::missing_body(code(pair.as_str()), span));
+                self.tell(syntax::missing_body(code(pair.as_str()), span));
                 let mut inner = pair.into_inner();
                 let is_render = inner.next()?.as_rule() == Rule::kw_render;
                 let name = self.name(inner.next()?);
@@ -249,7 +262,7 @@ impl<'t> Builder<'t> {
         for part in inner {
             match part.as_rule() {
                 Rule::params => params = Some(part.into_inner().map(|w| self.word(w)).collect()),
-                Rule::colon => self.diagnostics.push(syntax::wrong_equals(':', self.span(&part))),
+                Rule::colon => self.tell(syntax::wrong_equals(':', self.span(&part))),
                 Rule::equals => {}
                 _ => value = Some(Arc::new(self.value(part))),
             }
@@ -278,7 +291,7 @@ impl<'t> Builder<'t> {
         let (span, kind, name, parts) = self.path(path);
         let colon = inner.next().expect("a colon");
         if colon.as_rule() == Rule::equals {
-            self.diagnostics.push(syntax::wrong_equals('=', self.span(&colon)));
+            self.tell(syntax::wrong_equals('=', self.span(&colon)));
         }
         let value = self.value(inner.next().expect("a value"));
         Set { kind, name, parts, value: Arc::new(value), path: span }
@@ -325,7 +338,7 @@ impl<'t> Builder<'t> {
                 name => (None, name, next, span),
             },
         };
-        self.diagnostics.push(syntax::missing_colon(&kind.text, at.after()));
+        self.tell(syntax::missing_colon(&kind.text, at.after()));
         let record = self.record(word, entries);
         let span = next_span.to(record.braces);
         let value = Arc::new(Expr { kind: ExprKind::Record(Arc::new(record)), span });
@@ -343,7 +356,7 @@ impl<'t> Builder<'t> {
         let text = match &*name.pieces {
             [Piece::Words(words)] => Arc::from(words.as_str()),
             _ => {
-                self.diagnostics.push(syntax::fixed_name(name.span));
+                self.tell(syntax::fixed_name(name.span));
                 Arc::from("")
             }
         };

@@ -12,6 +12,7 @@ use pest::Parser;
 
 use super::ast::{Expr, ExprKind, File, Set};
 use super::errors::syntax;
+use super::faults::Faults;
 use super::limits;
 use super::scan::{Scanned, scan};
 use crate::diag::{Diagnostic, FileId, Span};
@@ -29,7 +30,7 @@ pub struct Parsed<T> {
     /// The tree, of what could be read.
     pub tree: T,
     /// What is wrong.
-    pub diagnostics: Vec<Diagnostic>,
+    pub faults: Faults,
     /// Places around repairs, where any further fault is probably a consequence.
     pub muted: Vec<Span>,
 }
@@ -42,10 +43,14 @@ pub fn file(text: &str, id: FileId) -> Parsed<File> {
         return failed(tree, syntax::file_too_large(whole));
     }
     let scanned = scan(text);
-    let mut diagnostics = told(&scanned, text, id);
-    if diagnostics.iter().any(|d| d.code == crate::diag::Code::SYNTAX_TOO_DEEP) {
+    let mut faults = told(&scanned, text, id);
+    let deep = faults.kept.iter().any(|d| d.code == crate::diag::Code::SYNTAX_TOO_DEEP);
+    if deep || scanned.hopeless {
         tree.first_line = Some(whole);
-        return Parsed { tree, diagnostics, muted: vec![whole] };
+        if !deep {
+            faults.stop();
+        }
+        return Parsed { tree, faults, muted: vec![whole] };
     }
     let mut muted: Vec<_> = scanned.muted.iter().map(|r| Span::new(id, r.start, r.end)).collect();
     let source = scanned.repaired.clone().unwrap_or_else(|| text.to_string());
@@ -53,23 +58,22 @@ pub fn file(text: &str, id: FileId) -> Parsed<File> {
         Ok(mut pairs) => {
             let mut builder = Builder::new(id, &source, &scanned);
             tree = builder.file(pairs.next().expect("a file"));
-            builder.diagnostics.retain(|d| !within(d, &muted));
             muted.append(&mut builder.muted);
-            diagnostics.append(&mut builder.diagnostics);
+            faults.append(builder.faults);
         }
         Err(error) => {
             let at = scanned.original(stopped(&error));
-            diagnostics.push(explain::at(text, at, id));
+            faults.push(explain::at(text, at, id));
         }
     }
-    Parsed { tree, diagnostics, muted }
+    Parsed { tree, faults, muted }
 }
 
 /// Where the first line, items and fields begin, in bytes; or what is wrong with the text.
 pub fn starts(text: &str, id: FileId) -> Result<Vec<usize>, Vec<Diagnostic>> {
     let parsed = file(text, id);
-    if !parsed.diagnostics.is_empty() {
-        return Err(parsed.diagnostics);
+    if !parsed.faults.is_empty() {
+        return Err(parsed.faults.finish());
     }
     let pairs = Grammar::parse(Rule::file, text);
     let pairs = pairs.map_err(|error| vec![explain::at(text, stopped(&error), id)])?;
@@ -88,8 +92,8 @@ pub fn set(text: &str, id: FileId) -> Parsed<Option<Set>> {
         let scanned = Scanned::default();
         let mut builder = Builder::new(id, text, &scanned);
         let set = pair.into_inner().next().map(|set| builder.set(set));
-        parsed.diagnostics.append(&mut builder.diagnostics);
-        return Parsed { tree: set.filter(|_| parsed.diagnostics.is_empty()), ..parsed };
+        parsed.faults.append(builder.faults);
+        return Parsed { tree: set.filter(|_| parsed.faults.is_empty()), ..parsed };
     }
     parsed
 }
@@ -104,30 +108,34 @@ pub fn value(text: &str, id: FileId) -> Parsed<Arc<Expr>> {
         if let Some(value) = pair.into_inner().next() {
             tree = builder.value(value);
         }
-        parsed.diagnostics.append(&mut builder.diagnostics);
+        parsed.faults.append(builder.faults);
     }
-    Parsed { tree: Arc::new(tree), diagnostics: parsed.diagnostics, muted: Vec::new() }
+    Parsed { tree: Arc::new(tree), faults: parsed.faults, muted: Vec::new() }
 }
 
 /// A text that is one thing: nothing is repaired in it.
 fn alone<T>(rule: Rule, text: &str, id: FileId) -> (Option<Pair<'_>>, Parsed<Option<T>>) {
-    let mut diagnostics = told(&scan(text), text, id);
+    let mut faults = told(&scan(text), text, id);
     let mut found = None;
-    if diagnostics.is_empty() {
+    if faults.is_empty() {
         match Grammar::parse(rule, text) {
             Ok(mut pairs) => found = pairs.next(),
-            Err(error) => diagnostics.push(explain::at(text, stopped(&error), id)),
+            Err(error) => faults.push(explain::at(text, stopped(&error), id)),
         }
     }
-    (found, Parsed { tree: None, diagnostics, muted: Vec::new() })
+    (found, Parsed { tree: None, faults, muted: Vec::new() })
 }
 
 fn failed<T>(tree: T, diagnostic: Diagnostic) -> Parsed<T> {
-    Parsed { tree, diagnostics: vec![diagnostic], muted: Vec::new() }
+    let mut faults = Faults::default();
+    faults.push(diagnostic);
+    Parsed { tree, faults, muted: Vec::new() }
 }
 
-fn told(scanned: &Scanned, text: &str, id: FileId) -> Vec<Diagnostic> {
-    scanned.faults.iter().map(|fault| syntax::brackets(fault, text, id)).collect()
+fn told(scanned: &Scanned, text: &str, id: FileId) -> Faults {
+    let mut faults = Faults::default();
+    scanned.faults.iter().for_each(|fault| faults.push(syntax::brackets(fault, text, id)));
+    faults
 }
 
 /// Where the grammar could not go on.

@@ -25,7 +25,7 @@ pub fn pieces(builder: &mut Builder, inside: &str, at: usize) -> Vec<Piece> {
                 }
                 Err(length) => {
                     let span = builder.place(at + i, at + i + length);
-                    builder.diagnostics.push(syntax::bad_escape(&inside[i..i + length], span));
+                    builder.tell(syntax::bad_escape(&inside[i..i + length], span));
                     while rest.peek().is_some_and(|(j, _)| *j < i + length) {
                         rest.next();
                     }
@@ -37,12 +37,12 @@ pub fn pieces(builder: &mut Builder, inside: &str, at: usize) -> Vec<Piece> {
             }
             '}' => {
                 let span = builder.place(at + i, at + i + 1);
-                builder.diagnostics.push(syntax::lone_brace('}', span));
+                builder.tell(syntax::lone_brace('}', span));
             }
             '{' => {
                 let Some(length) = closing(&inside[i..]) else {
                     let span = builder.place(at + i, at + i + 1);
-                    builder.diagnostics.push(syntax::lone_brace('{', span));
+                    builder.tell(syntax::lone_brace('{', span));
                     continue;
                 };
                 if !words.is_empty() {
@@ -84,6 +84,8 @@ fn closing(text: &str) -> Option<usize> {
     let mut depth = 0;
     for (at, c) in text.char_indices() {
         match c {
+            // No value is so deep; looking on from each of many braces would take for ever.
+            '{' if depth > limits::DEPTH => return None,
             '{' => depth += 1,
             '}' if depth == 1 => return Some(at),
             '}' => depth -= 1,
@@ -99,7 +101,7 @@ fn interpolated(builder: &mut Builder, text: &str, at: usize) -> Expr {
     let broken = Expr { kind: ExprKind::Broken, span };
     let deep = text.bytes().filter(|b| matches!(b, b'(' | b'[' | b'{')).count() > limits::DEPTH;
     if deep || !scan::scan(text).faults.is_empty() {
-        builder.diagnostics.push(syntax::interpolation(span));
+        builder.tell(syntax::interpolation(span));
         return broken;
     }
     match Grammar::parse(Rule::value_alone, text) {
@@ -111,12 +113,12 @@ fn interpolated(builder: &mut Builder, text: &str, at: usize) -> Expr {
             value
         }
         Err(_) if text.trim().is_empty() => {
-            builder.diagnostics.push(syntax::interpolation(span));
+            builder.tell(syntax::interpolation(span));
             broken
         }
         Err(error) => {
             let at = stopped(&error);
-            builder.diagnostics.push(explain::inside(text, at, span));
+            builder.tell(explain::inside(text, at, span));
             broken
         }
     }

@@ -104,7 +104,7 @@ impl Builder<'_> {
     fn exponent(&mut self, text: &str, span: Span) -> i8 {
         let exponent = text.replace('_', "").parse().ok().filter(|e: &i8| e.abs() <= 16);
         exponent.unwrap_or_else(|| {
-            self.diagnostics.push(syntax::exponent(text, span));
+            self.tell(syntax::exponent(text, span));
             1
         })
     }
@@ -114,7 +114,7 @@ impl Builder<'_> {
         let kind = match pair.as_rule() {
             Rule::malformed => {
                 let text = pair.as_str().trim_end();
-                self.diagnostics.push(syntax::number_form(text, span));
+                self.tell(syntax::number_form(text, span));
                 ExprKind::Broken
             }
             Rule::clock => self.clock(pair.as_str().trim_end(), span),
@@ -157,7 +157,7 @@ impl Builder<'_> {
         let (hours, minutes): (f64, f64) =
             (hours.parse().unwrap_or(f64::NAN), minutes.parse().unwrap_or(f64::NAN));
         if !(hours <= 24.0 && minutes < 60.0) {
-            self.diagnostics.push(syntax::clock(text, span));
+            self.tell(syntax::clock(text, span));
             return ExprKind::Broken;
         }
         ExprKind::Number { value: hours + minutes / 60.0, unit: units::find("h").map(|h| (h, 1)) }
@@ -170,7 +170,7 @@ impl Builder<'_> {
             return ExprKind::Number { value, unit: None };
         };
         if unit.as_rule() == Rule::unknown_unit {
-            self.diagnostics.push(name::unknown_unit(unit.as_str(), self.span(&unit)));
+            self.tell(name::unknown_unit(unit.as_str(), self.span(&unit)));
             return ExprKind::Broken;
         }
         let mut parts = unit.into_inner();
@@ -189,7 +189,7 @@ impl Builder<'_> {
         if value.is_finite() {
             return value;
         }
-        self.diagnostics.push(syntax::number_too_large(text, self.span(pair)));
+        self.tell(syntax::number_too_large(text, self.span(pair)));
         1.0
     }
 
@@ -211,14 +211,14 @@ impl Builder<'_> {
                     if let Some((last, last_end)) = last
                         && !self.source[last_end..start].contains('\n')
                     {
-                        self.diagnostics.push(syntax::missing_separator(last, span, "field"));
+                        self.tell(syntax::missing_separator(last, span, "field"));
                     }
                     last = Some((span, end));
                     record.partial |= !self.entry(part, &mut record.entries);
                 }
                 Rule::entry_valueless => {
                     let text = code(part.as_str()).trim_end_matches([':', '=']).trim_end();
-                    self.diagnostics.push(syntax::missing_value(text, span));
+                    self.tell(syntax::missing_value(text, span));
                     record.partial = true;
                     last = None;
                 }
@@ -230,7 +230,7 @@ impl Builder<'_> {
                         Some(entry) => self.entry(entry, &mut record.entries),
                         None => {
                             let told = explain::entry(self, text, start);
-                            self.diagnostics.push(told);
+                            self.tell(told);
                             false
                         }
                     };
@@ -249,7 +249,7 @@ impl Builder<'_> {
         let key = inner.next().expect("a key");
         if key.as_rule() == Rule::quantity {
             let span = self.span(&key);
-            self.diagnostics.push(syntax::number_key(key.as_str().trim_end(), span));
+            self.tell(syntax::number_key(key.as_str().trim_end(), span));
             return false;
         }
         let key = self.word(key);
@@ -257,11 +257,11 @@ impl Builder<'_> {
             match part.as_rule() {
                 Rule::name => {
                     let span = self.span(&part);
-                    self.diagnostics.push(syntax::path_in_record(&key.text, part.as_str(), span));
+                    self.tell(syntax::path_in_record(&key.text, part.as_str(), span));
                     return false;
                 }
                 Rule::equals => {
-                    self.diagnostics.push(syntax::wrong_equals('=', self.span(&part)));
+                    self.tell(syntax::wrong_equals('=', self.span(&part)));
                 }
                 Rule::value => {
                     let value = Arc::new(self.value(part));

@@ -10,6 +10,7 @@ mod lines;
 use std::ops::Range;
 
 use super::limits;
+use crate::diag::Diagnostic;
 use lines::{
     begins_item, braces, is_word, likely_end, line_rest, number_length, second_key, text_braces,
 };
@@ -29,30 +30,46 @@ pub enum Fault {
     TooDeep { at: usize },
 }
 
+/// Something inserted: where in the text as given, how many bytes, and how many before it.
+#[derive(Clone, Copy, Debug)]
+struct Insertion {
+    at: usize,
+    length: usize,
+    before: usize,
+}
+
 /// A text that the grammar can take.
 #[derive(Clone, Debug, Default)]
 pub struct Scanned {
     /// The text with balanced brackets; None if it is so already.
     pub repaired: Option<String>,
     /// What was inserted: where in the text as given, and how many bytes.
-    insertions: Vec<(usize, usize)>,
+    insertions: Vec<Insertion>,
     /// What was found.
     pub faults: Vec<Fault>,
     /// Bytes around repairs: a fault found there later is probably their consequence.
     pub muted: Vec<Range<usize>>,
+    /// Brackets and strings are so wrong that the rest was not looked at.
+    pub hopeless: bool,
 }
 
 impl Scanned {
     /// The place in the text as given of a place in the repaired one.
     pub fn original(&self, repaired: usize) -> usize {
-        let mut inserted = 0;
-        for &(at, length) in &self.insertions {
-            if repaired <= at + inserted {
-                break;
+        let known = self.insertions.partition_point(|i| i.at + i.before < repaired);
+        match known.checked_sub(1).map(|last| self.insertions[last]) {
+            None => repaired,
+            Some(Insertion { at, length, before }) => {
+                repaired - before - length.min(repaired - at - before)
             }
-            inserted += length.min(repaired - at - inserted);
         }
-        repaired - inserted
+    }
+
+    /// Whether a fault stands at a place that was repaired.
+    pub fn is_muted(&self, fault: &Diagnostic) -> bool {
+        let place = fault.place().filter(|_| !self.muted.is_empty());
+        let Some(at) = place.map(|place| place.start as usize) else { return false };
+        self.muted.iter().any(|range| range.contains(&at))
     }
 }
 
@@ -69,6 +86,10 @@ pub fn scan(text: &str) -> Scanned {
     }
     let mut careful = Scanner::new(text, true);
     careful.run();
+    if careful.faults.len() >= limits::FAULTS {
+        careful.faults.truncate(limits::FAULTS);
+        return Scanned { faults: careful.faults, hopeless: true, ..Scanned::default() };
+    }
     careful.finish()
 }
 
@@ -142,7 +163,7 @@ impl<'t> Scanner<'t> {
     fn run(&mut self) {
         let mut at = 0;
         let mut signs = 0;
-        while at < self.bytes.len() {
+        while at < self.bytes.len() && self.faults.len() < limits::FAULTS {
             let byte = self.bytes[at];
             match byte {
                 b'\n' => {
@@ -379,11 +400,19 @@ impl<'t> Scanner<'t> {
             from = *at;
         }
         repaired.push_str(&blanked[from..]);
+        let mut before = 0;
+        let insertion = |(at, what): &(usize, &str)| {
+            let insertion = Insertion { at: *at, length: what.len(), before };
+            before += what.len();
+            insertion
+        };
+        let insertions = self.insert.iter().map(insertion).collect();
         Scanned {
             repaired: Some(repaired),
-            insertions: self.insert.iter().map(|(at, what)| (*at, what.len())).collect(),
+            insertions,
             faults: self.faults,
             muted: self.muted,
+            hopeless: false,
         }
     }
 }
