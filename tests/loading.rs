@@ -377,3 +377,29 @@ fn the_hash_is_that_of_scene_and_files_wherever_they_are() {
     assert_ne!(hash(&format!("{FACE}# a word\n"), 1.0, "a.obj"), first);
     assert_eq!(first.to_string().len(), 64);
 }
+
+#[test]
+fn limits_caption_and_exposure_change_the_hash_but_not_that_of_the_light() {
+    let hashes = |change: fn(&mut scn::scene::Scene)| {
+        let mut scene = Arc::unwrap_or_clone(scene(vec![]));
+        change(&mut scene);
+        let (stage, _) = Loader::new(&NoProgress).stage(&Arc::new(scene), &mut sources());
+        let stage = stage.unwrap();
+        (stage.hash, stage.light_hash)
+    };
+    let plain = hashes(|_| ());
+    let changes: [fn(&mut scn::scene::Scene); 6] = [
+        |scene| scene.stop.value.samples = at(Some(scn::scene::Count(7))),
+        |scene| scene.stop.value.time = at(Some(scn::scene::Time(7.0))),
+        |scene| scene.stop.value.error = at(Some(scn::scene::Number(0.1))),
+        |scene| scene.stop.value.adaptive.value.0 = true,
+        |scene| scene.caption.value.0.push_str("Light."),
+        |scene| scene.film.value.exposure.value.0 = 1.0,
+    ];
+    for (i, change) in changes.into_iter().enumerate() {
+        let changed = hashes(change);
+        assert!(changed.0 != plain.0 && changed.1 == plain.1, "{i}");
+    }
+    let film = hashes(|scene| scene.film.value.size.value.0[0] += 1);
+    assert!(film.0 != plain.0 && film.1 != plain.1);
+}

@@ -1,22 +1,19 @@
 //! A finished picture: what is to be said of it, and the files it goes to.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
+use super::about::{About, Frame, VERSION, comma};
 use super::log::Error;
-use super::options::Render;
 use super::output::Paths;
 use super::words::counted;
 use crate::files::{self, Failure, Metadata};
-use crate::load::Stage;
-use crate::prepare::ObjectNote;
-use crate::render::film::Film;
+use crate::render::film;
 use crate::run::{LEAST_FOR_ERROR, MOST_DOUBTFUL, Outcome, Rule, Stopped};
 
 /// A picture with everything its files tell about it.
 pub struct Done<'a> {
-    pub name: &'a str,
-    pub stage: &'a Stage,
-    pub seed: u64,
+    pub about: &'a About,
+    pub frame: &'a Frame,
     /// When it was to be done.
     pub rule: Rule,
     pub outcome: Outcome,
@@ -24,24 +21,20 @@ pub struct Done<'a> {
 
 impl Done<'_> {
     /// Writes the files, each whole or not at all.
-    pub fn write(
-        self,
-        paths: &Paths,
-        film: &Film,
-        options: &Render,
-    ) -> Result<(), (PathBuf, Failure)> {
-        let metadata = self.metadata(options);
+    pub fn write(self, paths: &Paths) -> Result<(), (PathBuf, Failure)> {
+        let metadata = self.metadata();
         if let Some(path) = &paths.png {
-            let factor = self.stage.scene.film.exposure.0.exp2();
+            let factor = self.about.exposure.exp2();
             files::png::write(path, &self.outcome.picture, factor, &metadata)
                 .map_err(|failure| (path.clone(), failure))?;
         }
         if let Some(path) = &paths.exr {
-            let samples = film.samples(&self.outcome.taken);
+            let Frame { film, window, .. } = self.frame;
+            let samples = film::samples(window, &self.outcome.taken);
             let error = self.outcome.standard_error;
             let layers = files::exr::Layers {
-                film: film.size.map(|n| n as usize),
-                origin: [film.window.x0 as usize, film.window.y0 as usize],
+                film: film.map(|n| n as usize),
+                origin: [window.x0 as usize, window.y0 as usize],
                 main: self.outcome.picture,
                 named: error.into_iter().map(|error| ("error".to_string(), error)).collect(),
                 scalars: vec![("samples".to_string(), samples)],
@@ -52,29 +45,29 @@ impl Done<'_> {
     }
 
     /// What made the picture, so that it can be made again.
-    fn metadata(&self, options: &Render) -> Metadata {
+    fn metadata(&self) -> Metadata {
         let mut all: Metadata = Vec::new();
         let mut put = |key: &str, value: String| all.push((format!("scn:{key}"), value));
-        let file = options.file.file_name().map(Path::new).unwrap_or(&options.file);
-        put("scene", file.to_string_lossy().into_owned());
-        put("hash", self.stage.hash.to_string());
-        put("render", self.name.to_string());
-        put("seed", self.seed.to_string());
+        let about = self.about;
+        put("scene", about.scene.clone());
+        put("hash", about.hash.clone());
+        put("light_hash", about.light_hash.clone());
+        put("render", about.render.clone());
+        put("seed", about.seed.to_string());
         put("samples", self.outcome.samples.to_string());
-        put("version", env!("CARGO_PKG_VERSION").to_string());
+        put("version", VERSION.to_string());
         put("time", format!("{:.3}", self.outcome.seconds));
-        let caption = &self.stage.scene.caption.0;
-        if !caption.is_empty() {
-            put("caption", caption.clone());
+        if !about.caption.is_empty() {
+            put("caption", about.caption.clone());
         }
-        if options.scale != 1.0 {
-            put("scale", options.scale.to_string());
+        if about.scale != 1.0 {
+            put("scale", about.scale.to_string());
         }
-        if let Some([x0, y0, x1, y1]) = options.crop {
-            put("crop", format!("{x0},{y0},{x1},{y1}"));
+        if let Some(crop) = about.crop {
+            put("crop", comma(crop));
         }
-        if !options.set.is_empty() {
-            put("set", options.set.join("\n"));
+        if !about.set.is_empty() {
+            put("set", about.set.join("\n"));
         }
         put("stopped_by", stopped_by(&self.outcome.stopped).to_string());
         if let Some(noise) = self.outcome.noise {
@@ -113,13 +106,13 @@ pub fn stopped_by(stopped: &Stopped) -> &'static str {
     }
 }
 
-/// What is strange about a picture though its scene has no fault.
-pub fn remarks(outcome: &Outcome, objects: &[ObjectNote]) -> Vec<String> {
+/// What is strange about a picture though its scene has no fault. `first` is the object which the
+/// first sample met that was not finite.
+pub fn remarks(outcome: &Outcome, first: Option<&str>) -> Vec<String> {
     let mut all = Vec::new();
     if let Some(invalid) = outcome.invalid {
+        let on = first.map(|name| format!(", on object `{name}`")).unwrap_or_default();
         let first = invalid.first;
-        let on = first.object.and_then(|number| objects.get(number as usize));
-        let on = on.map(|object| format!(", on object `{}`", object.name)).unwrap_or_default();
         all.push(format!(
             "{} not finite and count as black; the first is sample {} of pixel ({}, {}){on}",
             if invalid.count == 1 {

@@ -3,17 +3,18 @@
 use std::collections::HashSet;
 use std::path::PathBuf;
 
+use super::about::{About, Frame};
 use super::bar::{Bar, Watcher};
+use super::finish::Finish;
 use super::limits::limits;
-use super::log::{Error, Event, Loaded, Log, shown};
+use super::log::{Event, Loaded, Log, shown};
 use super::near::{either, near};
 use super::options::{Form, Render};
 use super::output::Output;
-use super::{End, check, picture, scene_file, stop, terminal};
-use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
+use super::{End, check, scene_file, stop, terminal};
+use crate::diag::{self, Diagnostic, Level, Sources};
 use crate::load::{Loader, Stage};
 use crate::prepare::{self, Prepared};
-use crate::render::film::Film;
 use crate::render::tiles::Threads;
 use crate::run::{self, Begin, Stopped, Until};
 use crate::{files, lang};
@@ -267,53 +268,27 @@ impl<'a> Session<'a> {
         let outcome = run::render(world, integrator, &settings, Begin::new(world), &watcher);
         self.bar.end();
 
-        self.log.tell(&Event::Rendered {
-            render: name.clone(),
-            samples: outcome.samples,
-            rays: outcome.rays,
-            shadow_rays: outcome.shadow_rays,
-            seconds: outcome.seconds,
-            rays_per_second: (outcome.rays + outcome.shadow_rays) as f64
-                / outcome.seconds.max(1e-9),
-            peak_memory: files::memory::peak(),
-            error: outcome.noise.map(|noise| Error::new(&noise, outcome.bound)),
-            stopped_by: picture::stopped_by(&outcome.stopped),
-        });
-        for text in picture::remarks(&outcome, &prepared.objects) {
-            if !self.options.quiet {
-                let text = harmless_text(&text);
-                terminal::tell(&format!("warning: render `{name}`: {text}\n"));
-            }
-            self.log.tell(&Event::Remark { render: name.clone(), text });
-        }
-        let done = picture::Done { name, stage, seed: settings.seed, rule, outcome };
-        if let Stopped::Interrupted { tiles } = done.outcome.stopped {
+        let about = About::new(name, stage, self.options);
+        let frame = Frame::of(world);
+        let finish = Finish { log: self.log, about: &about, frame: &frame, rule };
+        let object = outcome.invalid.and_then(|invalid| invalid.first.object);
+        let object = object.and_then(|number| prepared.objects.get(number as usize));
+        finish.tell(&outcome, object.map(|object| object.name.as_str()));
+        let paths = output.paths(name);
+        if let Stopped::Interrupted { tiles } = outcome.stopped {
             let tiles = tiles.map(|tiles| [tiles.done, tiles.of]);
             self.log.tell(&Event::Interrupted {
                 render: name.clone(),
-                samples: done.outcome.samples,
+                samples: outcome.samples,
                 of: rule.samples,
                 tiles,
             });
             if tiles.is_none_or(|[done, _]| done > 0) {
-                self.write(done, &prepared.world.film, output)?;
+                finish.write(outcome, paths)?;
             }
             return Err(End::Interrupted);
         }
-        self.write(done, &prepared.world.film, output)
-    }
-
-    fn write(&self, done: picture::Done, film: &Film, output: &Output) -> Result<(), End> {
-        let _writing = stop::writing();
-        let name = done.name;
-        let paths = output.paths(name);
-        done.write(&paths, film, self.options).map_err(|(path, failure)| {
-            failed(&format!("the picture `{}` {failure}", shown(&path)))
-        })?;
-        for path in paths {
-            self.log.tell(&Event::Written { render: name.to_string(), file: shown(&path) });
-        }
-        Ok(())
+        finish.write(outcome, paths)
     }
 
     /// Tells faults, each once, to people on stderr and to machines in the log.

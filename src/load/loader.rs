@@ -62,6 +62,7 @@ impl<'a> Loader<'a> {
             scene: scene.clone(),
             meshes: staged,
             hash: hash(scene, &used),
+            light_hash: hash(&light(scene), &used),
             files: used.into_iter().map(|used| used.file).collect(),
         });
         found.retain(|diagnostic| self.told.insert(fingerprint(diagnostic, sources)));
@@ -79,6 +80,17 @@ fn fingerprint(diagnostic: &Diagnostic, sources: &Sources) -> String {
         print.push_str(&format!("\n{name}:{line}:{column} {}", label.text));
     }
     print
+}
+
+/// The scene with nothing said of what no sample depends on: limits, caption and exposure.
+fn light(scene: &Scene) -> Scene {
+    let mut scene = scene.clone();
+    let stop = &mut scene.stop.value;
+    (stop.samples.value, stop.time.value, stop.error.value) = (None, None, None);
+    stop.adaptive.value.0 = false;
+    scene.caption.value.0.clear();
+    scene.film.value.exposure.value.0 = 0.0;
+    scene
 }
 
 /// SHA-256 of the scene as JSON, then of each file's name and digest, in the order of first use.

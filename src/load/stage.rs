@@ -18,6 +18,9 @@ pub struct Stage {
     pub files: Vec<StagedFile>,
     /// What the picture depends on beside settings and seed.
     pub hash: SceneHash,
+    /// What its samples depend on beside settings and seed: the same without limits, caption and
+    /// exposure.
+    pub light_hash: SceneHash,
 }
 
 /// A mesh with the materials of its slots.

@@ -75,11 +75,13 @@ pub struct Place {
 impl Counts {
     /// Adds what was counted elsewhere.
     pub fn add(&mut self, other: &Self) {
-        self.rays += other.rays;
-        self.shadow_rays += other.shadow_rays;
+        // What was read from a file may be any number.
+        self.rays = self.rays.saturating_add(other.rays);
+        self.shadow_rays = self.shadow_rays.saturating_add(other.shadow_rays);
         self.invalid = match (self.invalid, other.invalid) {
             (Some(a), Some(b)) => {
-                Some(Invalid { count: a.count + b.count, first: a.first.min(b.first) })
+                let count = a.count.saturating_add(b.count);
+                Some(Invalid { count, first: a.first.min(b.first) })
             }
             (a, b) => a.or(b),
         };
@@ -228,7 +230,7 @@ mod tests {
         // Looking along +z with +y up, +x is to the left: columns 2 to 19, rows 10 to 19.
         assert_eq!(invalid.count, 18 * 10 * 3);
         assert_eq!(invalid.first, Place { y: 10, x: 2, sample: 0, object: Some(7) });
-        for means in taken.means(&world.film, 1.0) {
+        for means in taken.means(&world.film.window, 1.0) {
             for ((x, y), pixel) in means.tile.places().zip(&means.pixels) {
                 let expected = if x < 20 && y >= 10 { 0.0 } else { 1.0 };
                 assert_eq!(pixel.mean, [expected; 3], "{x} {y}");

@@ -2,8 +2,7 @@
 
 use crate::math::MeanPixel;
 use crate::measure::noise::{self, Noise, Share};
-use crate::render::World;
-use crate::render::film::Taken;
+use crate::render::film::{Taken, Window};
 
 /// The noise of a picture, tile by tile.
 pub(super) struct Judgement {
@@ -28,8 +27,8 @@ impl Judgement {
 }
 
 /// None as long as nothing is known of the error of some tile.
-pub(super) fn judge(world: &World, taken: &Taken) -> Option<Judgement> {
-    let means = || taken.means(&world.film, world.light_unit);
+pub(super) fn judge(window: &Window, light_unit: f64, taken: &Taken) -> Option<Judgement> {
+    let means = || taken.means(window, light_unit);
     let luminance = |pixel: &MeanPixel| {
         let [r, g, b] = pixel.mean;
         0.2126 * r + 0.7152 * g + 0.0722 * b

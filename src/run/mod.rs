@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::math::Picture;
 use crate::measure::noise::Noise;
 use crate::render::World;
-use crate::render::film::Taken;
+use crate::render::film::{self, Taken, Window};
 use crate::render::integrators::Integrator;
 use crate::render::tiles::{Invalid, Job};
 
@@ -194,14 +194,21 @@ pub fn render(
         pace.took(samples.end - start, watch.now() - pass_begun);
         watch.passed(&taken, seconds());
     };
-    outcome(world, taken, stopped, seconds())
+    outcome(&world.film.window, world.light_unit, taken, stopped, seconds())
 }
 
-/// What was taken, as a picture: of a render that ended so after that many seconds.
-pub fn outcome(world: &World, taken: Taken, stopped: Stopped, seconds: f64) -> Outcome {
+/// What was taken, as a picture: of a render that ended so after that many seconds. `light_unit` as
+/// in [`World`].
+pub fn outcome(
+    window: &Window,
+    light_unit: f64,
+    taken: Taken,
+    stopped: Stopped,
+    seconds: f64,
+) -> Outcome {
     let counts = taken.counts();
-    let developed = world.film.develop(&taken, world.light_unit);
-    let judged = judge::judge(world, &taken);
+    let developed = film::develop(window, &taken, light_unit);
+    let judged = judge::judge(window, light_unit, &taken);
     let most = taken.ends().max().unwrap_or(0) - taken.first();
     let least = taken.ends().min().unwrap_or(0) - taken.first();
     Outcome {

@@ -106,7 +106,7 @@ impl Rule {
         if let Some(error) = self.error
             && is_check(now, rhythm)
         {
-            *judged = judge::judge(world, taken);
+            *judged = judge::judge(&world.film.window, world.light_unit, taken);
             let settled = |noise: &Noise| settled(noise, error);
             if let Some(judged) = judged {
                 if settled(&judged.whole()) {

@@ -249,6 +249,7 @@ impl Hand {
             meshes: self.meshes.clone(),
             files: Vec::new(),
             hash: SceneHash([0; 32]),
+            light_hash: SceneHash([0; 32]),
         }
     }
 

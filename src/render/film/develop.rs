@@ -1,6 +1,6 @@
 //! From samples to a picture, and to the picture of its standard error.
 
-use super::{Film, Taken, Window};
+use super::{Taken, Window};
 use crate::math::{Picture, Rgb};
 
 /// A picture, and what its samples tell of it.
@@ -14,43 +14,41 @@ pub struct Developed {
     pub clipped: u64,
 }
 
-impl Film {
-    /// Samples of each pixel of the window, row by row from the top left.
-    pub fn samples(&self, taken: &Taken) -> Vec<f32> {
-        let Window { x0, y0, .. } = self.window;
-        let width = self.window.width() as usize;
-        let mut samples = vec![0.0; self.window.pixels() as usize];
-        for (tile, end) in self.tiles().iter().zip(taken.ends()) {
-            for (x, y) in tile.places() {
-                samples[(y - y0) as usize * width + (x - x0) as usize] =
-                    (end - taken.first()) as f32;
-            }
+/// Samples of each pixel of the window, row by row from the top left.
+pub fn samples(window: &Window, taken: &Taken) -> Vec<f32> {
+    let Window { x0, y0, .. } = *window;
+    let width = window.width() as usize;
+    let mut samples = vec![0.0; window.pixels() as usize];
+    for (tile, end) in window.tiles().iter().zip(taken.ends()) {
+        for (x, y) in tile.places() {
+            samples[(y - y0) as usize * width + (x - x0) as usize] = (end - taken.first()) as f32;
         }
-        samples
     }
+    samples
+}
 
-    /// What was taken of this film as a picture.
-    pub fn develop(&self, taken: &Taken, light_unit: f64) -> Developed {
-        let Window { x0, y0, .. } = self.window;
-        let black = || Picture::black(self.window.width() as usize, self.window.height() as usize);
-        let (mut picture, mut standard_error) = (black(), None);
-        let mut clipped = 0;
-        let limit = f64::from(f32::MAX);
-        for means in taken.means(self, light_unit) {
-            for ((x, y), pixel) in means.tile.places().zip(&means.pixels) {
-                clipped += u64::from(pixel.mean.iter().any(|value| value.abs() > limit));
-                let place = (y - y0) as usize * picture.width + (x - x0) as usize;
-                let rgb = |values: [f64; 3]| {
-                    let [r, g, b] = values.map(|value| value.clamp(-limit, limit) as f32);
-                    Rgb::new(r, g, b)
-                };
-                picture.pixels[place] = rgb(pixel.mean);
-                if means.freedom > 0 {
-                    let errors: &mut Picture = standard_error.get_or_insert_with(black);
-                    errors.pixels[place] = rgb(pixel.variance.map(f64::sqrt));
-                }
+/// What was taken of this part of a film as a picture; `light_unit` as in
+/// [`crate::render::World`].
+pub fn develop(window: &Window, taken: &Taken, light_unit: f64) -> Developed {
+    let Window { x0, y0, .. } = *window;
+    let black = || Picture::black(window.width() as usize, window.height() as usize);
+    let (mut picture, mut standard_error) = (black(), None);
+    let mut clipped = 0;
+    let limit = f64::from(f32::MAX);
+    for means in taken.means(window, light_unit) {
+        for ((x, y), pixel) in means.tile.places().zip(&means.pixels) {
+            clipped += u64::from(pixel.mean.iter().any(|value| value.abs() > limit));
+            let place = (y - y0) as usize * picture.width + (x - x0) as usize;
+            let rgb = |values: [f64; 3]| {
+                let [r, g, b] = values.map(|value| value.clamp(-limit, limit) as f32);
+                Rgb::new(r, g, b)
+            };
+            picture.pixels[place] = rgb(pixel.mean);
+            if means.freedom > 0 {
+                let errors: &mut Picture = standard_error.get_or_insert_with(black);
+                errors.pixels[place] = rgb(pixel.variance.map(f64::sqrt));
             }
         }
-        Developed { picture, standard_error, clipped }
     }
+    Developed { picture, standard_error, clipped }
 }

@@ -9,7 +9,7 @@ mod taken;
 mod window;
 
 pub use begun::Begun;
-pub use develop::Developed;
+pub use develop::{Developed, develop, samples};
 pub use filter::Filter;
 pub use taken::{Taken, TileMeans};
 pub use window::{Tile, Window};

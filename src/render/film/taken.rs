@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::begun::Begun;
 use super::sums::Sums;
-use super::{Film, Tile};
+use super::{Film, Tile, Window};
 use crate::math::MeanPixel;
 use crate::render::samplers::Rhythm;
 use crate::render::tiles::Counts;
@@ -72,10 +72,13 @@ impl Taken {
         Self { first, rhythm, tiles: vec![nothing; film.tiles().len()] }
     }
 
-    /// Whether this can be of such a film, and all parts of it fit together: to be asked of what
-    /// was read from a file.
-    pub fn fits(&self, film: &Film, rhythm: Rhythm) -> bool {
-        let tiles = film.tiles();
+    /// Whether this can be of such a part of a film, and all parts of it fit together: to be asked
+    /// of what was read from a file.
+    pub fn fits(&self, window: &Window, rhythm: Rhythm) -> bool {
+        if !window.has_tiles(self.tiles.len()) {
+            return false;
+        }
+        let tiles = window.tiles();
         let whole = |tile: &Tile, taken: &TileTaken| {
             let pixels = tile.pixels() as usize;
             let mut block = self.first / rhythm.block;
@@ -104,7 +107,6 @@ impl Taken {
         };
         self.rhythm == rhythm
             && self.first.is_multiple_of(rhythm.block)
-            && self.tiles.len() == tiles.len()
             && tiles.iter().zip(&self.tiles).all(|(tile, taken)| whole(tile, taken))
     }
 
@@ -187,10 +189,10 @@ impl Taken {
     /// What the samples tell, tile by tile; `light_unit` as in [`crate::render::World`].
     pub fn means<'a>(
         &'a self,
-        film: &Film,
+        window: &Window,
         light_unit: f64,
     ) -> impl Iterator<Item = TileMeans> + use<'a> {
-        let tiles = film.tiles();
+        let tiles = window.tiles();
         (0..tiles.len()).map(move |index| self.tile_means(index, tiles[index], light_unit))
     }
 
@@ -272,7 +274,7 @@ fn push(branches: &mut Vec<Branch>, mut branch: Branch, rhythm: Rhythm) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::film::{Filter, Window};
+    use crate::render::film::Filter;
     use crate::render::samplers::Sampler;
 
     /// Mean, and variance of one value, in two passes.
@@ -319,7 +321,7 @@ mod tests {
     }
 
     fn means(taken: &Taken) -> TileMeans {
-        taken.means(&film(), 1.0).next().unwrap()
+        taken.means(&film().window, 1.0).next().unwrap()
     }
 
     #[test]
@@ -414,13 +416,13 @@ mod tests {
     #[test]
     fn what_does_not_fit_together_is_refused() {
         let good = from(0, ROUNDS, &[12, 24, 36, 40]);
-        assert!(good.fits(&film(), ROUNDS));
-        assert!(from(24, ROUNDS, &[36, 48]).fits(&film(), ROUNDS));
-        assert!(Taken::new(&film(), ROUNDS, 12).fits(&film(), ROUNDS));
-        assert!(!good.fits(&film(), SINGLE));
+        assert!(good.fits(&film().window, ROUNDS));
+        assert!(from(24, ROUNDS, &[36, 48]).fits(&film().window, ROUNDS));
+        assert!(Taken::new(&film(), ROUNDS, 12).fits(&film().window, ROUNDS));
+        assert!(!good.fits(&film().window, SINGLE));
         let mut wide = film();
         wide.window.x1 = 2;
-        assert!(!good.fits(&wide, ROUNDS));
+        assert!(!good.fits(&wide.window, ROUNDS));
         type Break = fn(&mut TileTaken);
         let breaks: [Break; 9] = [
             |tile| tile.end = 41 + 12,
@@ -436,10 +438,10 @@ mod tests {
         for (i, change) in breaks.into_iter().enumerate() {
             let mut bad = good.clone();
             change(&mut bad.tiles[0]);
-            assert!(!bad.fits(&film(), ROUNDS), "{i}");
+            assert!(!bad.fits(&film().window, ROUNDS), "{i}");
         }
         let mut bad = good.clone();
         bad.first = 5;
-        assert!(!bad.fits(&film(), ROUNDS));
+        assert!(!bad.fits(&film().window, ROUNDS));
     }
 }

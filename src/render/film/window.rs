@@ -1,7 +1,9 @@
 //! The part of the film that is rendered, and its tiles.
 
+use serde::{Deserialize, Serialize};
+
 /// Pixels of the film, ends not included.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Window {
     /// Leftmost column.
     pub x0: u64,
@@ -19,6 +21,9 @@ pub type Tile = Window;
 /// Pixels along each side of a tile: enough work to pay for handing it out, few enough that the
 /// last ones end together.
 const TILE: u64 = 16;
+
+/// Columns or rows of no film are more than so many.
+const MOST_SIDE: u64 = 1 << 32;
 
 impl Window {
     /// Columns.
@@ -45,6 +50,15 @@ impl Window {
     /// Tiles in each row of them.
     pub fn tile_columns(&self) -> usize {
         self.width().div_ceil(TILE) as usize
+    }
+
+    /// Whether it has pixels, within what a film may have, and so many tiles: to be asked of what
+    /// was read from a file.
+    pub fn has_tiles(&self, count: usize) -> bool {
+        let sides = [(self.x0, self.x1), (self.y0, self.y1)];
+        let tiles = |(from, to): (u64, u64)| (to - from).div_ceil(TILE);
+        sides.iter().all(|(from, to)| from < to && *to <= MOST_SIDE)
+            && sides.map(tiles).iter().product::<u64>() == count as u64
     }
 
     /// Tiles that cover it, row by row.

@@ -1,0 +1,69 @@
+//! The end of a render: what came of it is told, and its pictures are written.
+
+use super::about::{About, Frame};
+use super::log::{Error, Event, Log, shown};
+use super::output::Paths;
+use super::{End, picture, stop, terminal};
+use crate::diag::harmless_text;
+use crate::files;
+use crate::run::{Outcome, Rule};
+
+/// A render that has ended.
+pub struct Finish<'a> {
+    pub log: Log,
+    pub about: &'a About,
+    pub frame: &'a Frame,
+    /// When it was to be done.
+    pub rule: Rule,
+}
+
+impl Finish<'_> {
+    /// Tells what came of it. `first` is the object which the first sample met that was not finite.
+    pub fn tell(&self, outcome: &Outcome, first: Option<&str>) {
+        let render = &self.about.render;
+        self.log.tell(&Event::Rendered {
+            render: render.clone(),
+            samples: outcome.samples,
+            rays: outcome.rays,
+            shadow_rays: outcome.shadow_rays,
+            seconds: outcome.seconds,
+            rays_per_second: (outcome.rays + outcome.shadow_rays) as f64
+                / outcome.seconds.max(1e-9),
+            peak_memory: files::memory::peak(),
+            error: outcome.noise.map(|noise| Error::new(&noise, outcome.bound)),
+            stopped_by: picture::stopped_by(&outcome.stopped),
+        });
+        for text in picture::remarks(outcome, first) {
+            self.remark(text);
+        }
+    }
+
+    /// Warns of something that is no fault of the scene.
+    pub fn remark(&self, text: String) {
+        remark(self.log, &self.about.render, text);
+    }
+
+    /// Writes its pictures.
+    pub fn write(&self, outcome: Outcome, paths: Paths) -> Result<(), End> {
+        let _writing = stop::writing();
+        let done = picture::Done { about: self.about, frame: self.frame, rule: self.rule, outcome };
+        done.write(&paths).map_err(|(path, failure)| {
+            terminal::fail(&format!("the picture `{}` {failure}", shown(&path)));
+            End::NotDone
+        })?;
+        for path in paths {
+            let render = self.about.render.clone();
+            self.log.tell(&Event::Written { render, file: shown(&path) });
+        }
+        Ok(())
+    }
+}
+
+/// Warns of something about a render that is no fault of its scene.
+pub fn remark(log: Log, render: &str, text: String) {
+    if !log.quiet {
+        let text = harmless_text(&text);
+        terminal::tell(&format!("warning: render `{render}`: {text}\n"));
+    }
+    log.tell(&Event::Remark { render: render.to_string(), text });
+}
