@@ -154,6 +154,18 @@ impl Thing<'_> {
         &self.object.name
     }
 
+    /// The steps that place it.
+    pub fn place(&self) -> &At<scene::Place> {
+        match &self.object.value.value {
+            Object::Disk(it) => &it.place,
+            Object::Mesh(it) => &it.place,
+            Object::Plane(it) => &it.place,
+            Object::Quad(it) => &it.place,
+            Object::Sphere(it) => &it.place,
+            Object::Triangle(it) => &it.place,
+        }
+    }
+
     /// Whether any of its surface shines.
     pub fn shines(&self) -> bool {
         self.materials.iter().any(|material| shines(material))

@@ -2,10 +2,20 @@
 
 mod albedo_above_one;
 mod camera_sees_nothing;
+mod dark_light;
 mod hidden_by_plane;
+mod ignored_field;
+mod many_turns;
+mod missing_caption;
 mod names_by_case;
+mod noisy_filter;
+mod same_caption;
 mod same_picture;
+mod scale_after_move;
 mod suspicious_unit;
+mod twin_lights;
+mod unfinished_round;
+mod unreachable_error;
 mod unseen_light;
 mod unused_let;
 mod unused_material;
@@ -20,10 +30,20 @@ use crate::diag::Code;
 pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_ALBEDO_ABOVE_ONE, look: Look::Render(albedo_above_one::look) },
     Rule { code: Code::LINT_CAMERA_SEES_NOTHING, look: Look::Render(camera_sees_nothing::look) },
+    Rule { code: Code::LINT_DARK_LIGHT, look: Look::Renders(dark_light::look) },
     Rule { code: Code::LINT_HIDDEN_BY_PLANE, look: Look::Render(hidden_by_plane::look) },
+    Rule { code: Code::LINT_IGNORED_FIELD, look: Look::Renders(ignored_field::look) },
+    Rule { code: Code::LINT_MANY_TURNS, look: Look::Render(many_turns::look) },
+    Rule { code: Code::LINT_MISSING_CAPTION, look: Look::Renders(missing_caption::look) },
     Rule { code: Code::LINT_NAMES_BY_CASE, look: Look::Text(names_by_case::look) },
+    Rule { code: Code::LINT_NOISY_FILTER, look: Look::Render(noisy_filter::look) },
+    Rule { code: Code::LINT_SAME_CAPTION, look: Look::Renders(same_caption::look) },
     Rule { code: Code::LINT_SAME_PICTURE, look: Look::Renders(same_picture::look) },
+    Rule { code: Code::LINT_SCALE_AFTER_MOVE, look: Look::Render(scale_after_move::look) },
     Rule { code: Code::LINT_SUSPICIOUS_UNIT, look: Look::Render(suspicious_unit::look) },
+    Rule { code: Code::LINT_TWIN_LIGHTS, look: Look::Render(twin_lights::look) },
+    Rule { code: Code::LINT_UNFINISHED_ROUND, look: Look::Render(unfinished_round::look) },
+    Rule { code: Code::LINT_UNREACHABLE_ERROR, look: Look::Render(unreachable_error::look) },
     Rule { code: Code::LINT_UNSEEN_LIGHT, look: Look::Renders(unseen_light::look) },
     Rule { code: Code::LINT_UNUSED_LET, look: Look::Text(unused_let::look) },
     Rule { code: Code::LINT_UNUSED_MATERIAL, look: Look::Text(unused_material::look) },
