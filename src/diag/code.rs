@@ -182,6 +182,7 @@ codes! {
     SYNTAX_MISSING_VALUE = "syntax/missing-value";
     SYNTAX_NUMBER_FORM = "syntax/number-form";
     SYNTAX_NUMBER_TOO_LARGE = "syntax/number-too-large";
+    SYNTAX_OTHER_PROGRAM = "syntax/other-program";
     SYNTAX_STRAY_BRACKET = "syntax/stray-bracket";
     SYNTAX_TOO_DEEP = "syntax/too-deep";
     SYNTAX_UNCLOSED_BRACKET = "syntax/unclosed-bracket";

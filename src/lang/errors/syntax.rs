@@ -84,6 +84,15 @@ pub fn first_line(top: Span) -> Diagnostic {
     .mend("write `scn 1 in m`", top, "scn 1 in m\n\n")
 }
 
+/// A scene of another program.
+pub fn other_program(program: &str, line: Span) -> Diagnostic {
+    let headline = format!("this is a scene of {program}, not one of scn");
+    Diagnostic::error(Code::SYNTAX_OTHER_PROGRAM, headline)
+        .label(line, format!("scenes of {program} have such a line"))
+        .why("Scene files of this program begin with `scn` and the edition of the language.")
+        .help("save its meshes as Wavefront .obj, and name them in a scene file of your own")
+}
+
 /// `scn` without its number.
 pub fn first_line_number(span: Span) -> Diagnostic {
     Diagnostic::error(Code::SYNTAX_FIRST_LINE, "the first line names no edition of the language")
@@ -96,7 +105,7 @@ pub fn first_line_number(span: Span) -> Diagnostic {
 pub fn edition(found: &str, span: Span) -> Diagnostic {
     let headline = format!("edition {found} of the language is not known");
     Diagnostic::error(Code::SYNTAX_EDITION, headline)
-        .label(span, "this program reads edition 1")
+        .label(span, "this program reads edition 1 alone")
         .help("write `scn 1`, or use a newer version of this program")
         .mend("write `1`", span, "1")
 }

@@ -2,6 +2,7 @@
 
 mod build;
 mod explain;
+mod foreign;
 mod hints;
 mod strings;
 mod values;
@@ -41,6 +42,12 @@ pub fn file(text: &str, id: FileId) -> Parsed<File> {
     let whole = Span::new(id, 0, text.len());
     if text.len() > limits::FILE_BYTES {
         return failed(tree, syntax::file_too_large(whole));
+    }
+    if let Some(foreign) = foreign::recognise(text) {
+        tree.first_line = Some(whole);
+        let line = Span::new(id, foreign.line.start, foreign.line.end);
+        let told = failed(tree, syntax::other_program(foreign.program, line));
+        return Parsed { muted: vec![whole], ..told };
     }
     let scanned = scan(text);
     let mut faults = told(&scanned, text, id);
