@@ -25,6 +25,8 @@ mod fmt;
 mod compare;
 mod explain;
 mod list;
+mod new;
+mod manual;
 
 use std::process::ExitCode;
 
@@ -80,6 +82,9 @@ pub fn main() -> ExitCode {
         options::Command::Compare(options) => compare::run(&options),
         options::Command::Explain(options) => explain::run(&options),
         options::Command::List(options) => list::run(&options),
+        options::Command::New(options) => new::run(&options),
+        options::Command::Completions(options) => manual::completions(&options),
+        options::Command::Man(options) => manual::page(&options),
     };
     said(end).into()
 }

@@ -10,6 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 #[command(arg_required_else_help = true)]
 #[command(after_help = "\
 Examples:
+  scn new my                                  a small scene to begin with, in my.scn
   scn render scenes/w01_first_pictures.scn    every render of the file, into out/
   scn lint my.scn                             what is wrong with it
   scn fmt my.scn                              lay it out in the one style there is
@@ -33,6 +34,9 @@ pub enum Command {
     Compare(super::compare::Compare),
     Explain(Explain),
     List(List),
+    New(New),
+    Completions(Completions),
+    Man(Man),
 }
 
 /// Render the pictures a scene file asks for
@@ -225,6 +229,43 @@ pub struct List {
     /// function or a unit; words before it say where it stands
     #[arg(value_name = "WORD")]
     pub words: Vec<String>,
+}
+
+/// Write a small scene to begin with
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  scn new            into scene.scn
+  scn new my/first   into my/first.scn; a file that is there is never written over")]
+pub struct New {
+    /// The file; the ending .scn is added
+    #[arg(value_name = "NAME")]
+    pub name: Option<PathBuf>,
+}
+
+/// Print a script by which a shell completes what is typed after `scn`
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  scn completions bash > ~/.local/share/bash-completion/completions/scn
+  scn completions zsh > ~/.zfunc/_scn
+  scn completions fish > ~/.config/fish/completions/scn.fish")]
+pub struct Completions {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    pub shell: clap_complete::Shell,
+}
+
+/// Print a page for `man`
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  scn man > ~/.local/share/man/man1/scn.1
+  scn man render > ~/.local/share/man/man1/scn-render.1")]
+pub struct Man {
+    /// The command whose page it is; without one, that of all
+    #[arg(value_name = "COMMAND")]
+    pub command: Option<String>,
 }
 
 #[cfg(test)]

@@ -31,6 +31,23 @@ pub fn write(
     Ok(())
 }
 
+/// Writes a file where there is none, making its folder; nothing is ever written over.
+pub fn create(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let name = path.file_name().ok_or_else(|| Failure::new("has no file name"))?;
+    let folder = folder_of(path);
+    fs::create_dir_all(folder).map_err(|error| folder_failure(folder, error))?;
+    let mut beside = beside(&hidden(name), folder)?;
+    beside.write_all(bytes)?;
+    beside.as_file().sync_all()?;
+    match beside.persist_noclobber(path) {
+        Ok(_) => Ok(()),
+        Err(error) if error.error.kind() == ErrorKind::AlreadyExists => {
+            Err(Failure::new("is there already"))
+        }
+        Err(error) => Err(error.error.into()),
+    }
+}
+
 /// Writes a file in place of one that is there, which may be written and keeps its permissions.
 pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let path = target(path)?;

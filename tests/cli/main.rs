@@ -7,4 +7,5 @@ mod interrupt;
 mod lint;
 mod logs;
 mod pictures;
+mod start;
 mod words;
