@@ -2,13 +2,21 @@
 //!
 //! A page has a title, a ```scn block with the fault, blocks "```file NAME" for further files,
 //! and a ```scn-ok block with the mend. The page of a lint has a ```scn-near block as well: a scene
-//! that looks much like the example, in which nothing is found.
+//! that looks much like the example, in which nothing is found. Blocks "```scn --unbiased" are looked
+//! at as if that option was given.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use scn::cli;
 use scn::diag::{self, CODES, Diagnostic, Level, Sources};
+use scn::lang;
+use scn::load::Loader;
+use scn::math::NoProgress;
+use scn::plan;
+
+/// Ends what stands after the backticks of an example for that option.
+const UNBIASED: &str = " --unbiased";
 
 /// A fenced block: what stands after the backticks, and its text.
 struct Block {
@@ -38,11 +46,18 @@ fn blocks(page: &str) -> Vec<Block> {
 }
 
 /// Everything that is found wrong with a scene in a folder, as `scn lint` does.
-fn faults(folder: &Path, text: &str) -> (Vec<Diagnostic>, Sources) {
+fn faults(folder: &Path, text: &str, unbiased: bool) -> (Vec<Diagnostic>, Sources) {
     let path = folder.join("example.scn");
     std::fs::write(&path, text).unwrap();
     let mut sources = Sources::new();
-    let found = cli::check(&path, text, &[], &mut sources).found;
+    let mut found = cli::check(&path, text, &[], &mut sources).found;
+    if unbiased {
+        let compiled = lang::compile(&path, text, &[], &[], &cli::Disk, &mut sources);
+        for render in &compiled.renders {
+            let (stage, _) = Loader::new(&NoProgress).stage(&render.scene, &mut sources);
+            found.extend(plan::biases(&stage.unwrap()).iter().map(plan::errors::biased));
+        }
+    }
     (found, sources)
 }
 
@@ -67,20 +82,22 @@ fn wrong_with(code: diag::Code) -> Vec<String> {
         if info == "scn-near" && !is_lint {
             continue;
         }
-        if blocks.iter().all(|block| block.info != info) {
+        if blocks.iter().all(|block| block.info.trim_end_matches(UNBIASED) != info) {
             wrong.push(format!("has no {what}"));
         }
     }
     for block in &blocks {
-        let (found, sources) = match block.info.as_str() {
-            "scn" | "scn-ok" | "scn-near" => faults(folder.path(), &block.text),
+        let unbiased = block.info.ends_with(UNBIASED);
+        let info = block.info.trim_end_matches(UNBIASED);
+        let (found, sources) = match info {
+            "scn" | "scn-ok" | "scn-near" => faults(folder.path(), &block.text, unbiased),
             _ => continue,
         };
         let report = || diag::print::report(&found, &sources, "it", diag::print::Look::PLAIN);
         let errors = || found.iter().filter(|fault| fault.level == Level::Error);
-        if block.info != "scn" {
+        if info != "scn" {
             if !found.is_empty() {
-                let what = if block.info == "scn-ok" { "mend" } else { "near-miss" };
+                let what = if info == "scn-ok" { "mend" } else { "near-miss" };
                 wrong.push(format!("has a {what} with faults:\n{}\n{}", block.text, report()));
             }
             continue;

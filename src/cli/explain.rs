@@ -61,7 +61,7 @@ fn page(page: &str) -> String {
     for line in page.lines() {
         if let Some(info) = line.strip_prefix("```") {
             inside = !inside;
-            let heading = match info.trim() {
+            let heading = match info.trim().trim_end_matches(" --unbiased") {
                 _ if !inside => continue,
                 "scn" => "Wrong:".to_string(),
                 "scn-ok" => "Mended:".to_string(),

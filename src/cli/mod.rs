@@ -14,6 +14,7 @@ mod limits;
 mod log;
 mod about;
 mod output;
+mod bias;
 mod picture;
 mod finish;
 mod scene_file;

@@ -86,6 +86,13 @@ pub struct Render {
     /// Change the scene, as if written last in every render asked for; may be given more than once
     #[arg(long, value_name = "path=value")]
     pub set: Vec<String>,
+    /// Refuse to render what is systematically wrong, whatever the number of samples
+    #[arg(long)]
+    pub unbiased: bool,
+    /// Put in what the scene does not require, too; the picture does not change. To see what `scn
+    /// plan` says is saved
+    #[arg(long, value_name = "WHAT")]
+    pub force: Option<Force>,
     /// Say nothing but errors
     #[arg(long, short)]
     pub quiet: bool,
@@ -117,6 +124,13 @@ pub struct Fmt {
     /// Write nothing; show what would change
     #[arg(long)]
     pub diff: bool,
+}
+
+/// What is put in, required or not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Force {
+    /// Everything there is
+    All,
 }
 
 /// Who reads it.

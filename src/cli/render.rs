@@ -11,7 +11,7 @@ use super::log::{Event, Loaded, Log, shown};
 use super::near::{either, near};
 use super::options::{Form, Render};
 use super::output::Output;
-use super::{End, check, scene_file, stop, terminal};
+use super::{End, bias, check, scene_file, stop, terminal};
 use crate::diag::{self, Diagnostic, Level, Sources};
 use crate::load::{Loader, Stage};
 use crate::prepare::{self, Prepared};
@@ -158,7 +158,11 @@ impl<'a> Session<'a> {
             let (stage, faults) = loader.stage(&render.scene, &mut self.sources);
             found.extend(faults);
             if let Some(stage) = stage {
-                names.push((render.name.clone(), prepare::check(&stage, &settings)));
+                let mut faults = prepare::check(&stage, &settings);
+                if self.options.unbiased {
+                    faults.extend(bias::refused(&stage));
+                }
+                names.push((render.name.clone(), faults));
                 ready.push(Ready { name: render.name.value, stage });
             }
             if stop::asked() {
@@ -231,7 +235,9 @@ impl<'a> Session<'a> {
     fn render(&mut self, Ready { name, stage }: &Ready, output: &Output) -> Result<(), End> {
         let begun = self.bar.seconds();
         self.bar.begin(&format!("Building {name}"));
-        let (prepared, found) = prepare::prepare(stage, &self.settings(), &self.bar);
+        let plan = bias::plan(stage, self.options.force);
+        let settings = self.settings();
+        let (prepared, found) = prepare::prepare_by(&plan, stage, &settings, &self.bar);
         self.bar.end();
         self.tell(found);
         let Some(prepared) = prepared else { return Err(End::SceneErrors) };

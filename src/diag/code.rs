@@ -154,6 +154,7 @@ codes! {
     RENDER_NOTHING_TO_CHANGE = "render/nothing-to-change";
     RENDER_TOO_MUCH = "render/too-much";
     SCENE_BEYOND_NUMBERS = "scene/beyond-numbers";
+    SCENE_BIASED = "scene/biased";
     SCENE_CAMERA_LOOKS_ALONG_UP = "scene/camera-looks-along-up";
     SCENE_CAMERA_LOOKS_NOWHERE = "scene/camera-looks-nowhere";
     SCENE_CAMERA_TOO_FAR = "scene/camera-too-far";

@@ -1,14 +1,16 @@
 //! Integrators and samplers of the scene → those of the world.
 
+use crate::plan::{Feature, Plan};
 use crate::render::integrators::{AreaLights, Direct, Integrator, Preview};
 use crate::render::samplers::Sampler;
 use crate::scene;
 
-/// How light is followed.
-pub(super) fn prepare(integrator: &scene::Integrator) -> Integrator {
+/// How light is followed, by the plan of a stage with that integrator.
+pub(super) fn prepare(integrator: &scene::Integrator, plan: &Plan) -> Integrator {
     match integrator {
         scene::Integrator::Direct(direct) => Integrator::Direct(Direct {
-            shadows: direct.shadows.0,
+            shadows: plan.builds(Feature::ShadowRays),
+            numbers: plan.builds(Feature::LampPoints),
             area_lights: match direct.area_lights.value {
                 scene::AreaLights::Center => AreaLights::Center,
                 scene::AreaLights::Random => AreaLights::Random,

@@ -1,4 +1,4 @@
-//! Stage → World: the last place that can fail. The only room that knows scene and render.
+//! Stage + Plan → World: the last place that can fail. The only room that knows scene and render.
 //!
 //! In order: every object is placed in f64 (objects), the box around the bounded ones gives the
 //! map to world space (space), shapes go there in f32 (shapes), and camera, lights, materials and
@@ -18,9 +18,11 @@ mod space;
 use crate::diag::{Diagnostic, Level, Span};
 use crate::load::Stage;
 use crate::math::{NoProgress, Progress};
+use crate::plan::{Feature, Plan};
 use crate::render::geometry::Geometry;
 use crate::render::integrators::Integrator;
 use crate::render::{World, film::Film, lights::Lights};
+use crate::scene;
 
 pub use film::Unfit;
 
@@ -82,7 +84,7 @@ pub struct Summary {
     pub other_shapes: u64,
     /// Materials in use.
     pub materials: u64,
-    /// Lights: directional ones and lamps. The background is not counted.
+    /// Lights that are followed: directional ones and lamps. The background is not counted.
     pub lights: u64,
     /// Triangles dropped, since they have no area in single precision.
     pub slivers: u64,
@@ -92,7 +94,7 @@ pub struct Summary {
 
 /// Everything that [`prepare`] can find wrong, without building the tree.
 pub fn check(stage: &Stage, settings: &Settings) -> Vec<Diagnostic> {
-    assemble(stage, settings, &NoProgress).1
+    assemble(stage, settings, &Plan::of(stage), &NoProgress).1
 }
 
 /// The world of a stage. None if there is an error among the diagnostics, or if the settings are
@@ -102,8 +104,24 @@ pub fn prepare(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> (Option<Prepared>, Vec<Diagnostic>) {
-    let (parts, diagnostics) = assemble(stage, settings, progress);
-    (parts.map(|parts| build(stage, parts)), diagnostics)
+    prepare_by(&Plan::of(stage), stage, settings, progress)
+}
+
+/// The same by a plan of the stage: [`Plan::of`] it, or that one [forced](Plan::forced).
+pub fn prepare_by(
+    plan: &Plan,
+    stage: &Stage,
+    settings: &Settings,
+    progress: &dyn Progress,
+) -> (Option<Prepared>, Vec<Diagnostic>) {
+    let (parts, diagnostics) = assemble(stage, settings, plan, progress);
+    (parts.map(|parts| build(stage, plan, parts)), diagnostics)
+}
+
+/// How light is followed by another integrator than the stage's own, in the same world. It must
+/// be one that needs what the stage's own does: `direct` in place of `direct`.
+pub fn other_integrator(stage: &Stage, integrator: &scene::Integrator) -> Integrator {
+    integrator::prepare(integrator, &Plan::with(stage, integrator))
 }
 
 /// A world but for the tree over its shapes.
@@ -120,6 +138,7 @@ struct Parts {
 fn assemble(
     stage: &Stage,
     settings: &Settings,
+    plan: &Plan,
     progress: &dyn Progress,
 ) -> (Option<Parts>, Vec<Diagnostic>) {
     let scene = &*stage.scene;
@@ -137,8 +156,8 @@ fn assemble(
     let light_unit = lights::unit(scene, &bodies, &mut found);
     let materials = materials::table(&bodies, light_unit);
     let lights = lights::plain(scene, light_unit);
-    let integrator = integrator::prepare(&scene.integrator);
-    let shapes = shapes::assemble(&bodies, &space, &materials, progress, &mut found);
+    let integrator = integrator::prepare(&scene.integrator, plan);
+    let shapes = shapes::assemble(&bodies, &space, &materials, plan, progress, &mut found);
     lights::check(scene, &shapes, &lights, &mut found);
     let window = film::window(&scene.film, settings);
     let camera = camera::prepare(scene, &bodies, &space, settings, &mut found);
@@ -152,12 +171,13 @@ fn assemble(
     (Some(parts), found)
 }
 
-fn build(stage: &Stage, parts: Parts) -> Prepared {
+fn build(stage: &Stage, plan: &Plan, parts: Parts) -> Prepared {
     let shapes::Assembled { shapes, lamps, objects, slivers } = parts.shapes;
     let other_shapes: u64 = objects.iter().map(|object| object.others).sum();
-    let geometry = Geometry::build(shapes);
-    let mut all = parts.lights.directional;
-    if matches!(parts.integrator, Integrator::Direct(_)) {
+    let geometry = Geometry::build(shapes).with_coordinates(plan.builds(Feature::Coordinates));
+    let mut all = Vec::new();
+    if plan.builds(Feature::Lights) {
+        all.extend(parts.lights.directional);
         all.extend(lamps.into_iter().map(|lamp| lamp.light(&geometry, &parts.materials)));
     }
     let triangles: u64 = objects.iter().map(|object| object.triangles).sum();

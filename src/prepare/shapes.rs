@@ -11,6 +11,7 @@ use super::objects::{Body, Placed};
 use super::space::Space;
 use crate::diag::Diagnostic;
 use crate::math::{Mesh, Progress, Transform};
+use crate::plan::{Feature, Plan};
 use crate::render::geometry::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 
 /// What all objects became.
@@ -49,12 +50,15 @@ pub(super) fn assemble(
     bodies: &[Placed],
     space: &Space,
     materials: &Table,
+    plan: &Plan,
     progress: &dyn Progress,
     found: &mut Vec<Diagnostic>,
 ) -> Assembled {
     let count = bodies.last().map_or(0, |last| last.number as usize + 1);
+    let shapes = Shapes::new();
+    let normals = plan.builds(Feature::Normals);
     let mut all = Assembled {
-        shapes: Shapes::new(),
+        shapes: if normals { shapes.keeping_normals() } else { shapes },
         lamps: Vec::new(),
         objects: vec![Counted::default(); count],
         slivers: 0,

@@ -6,6 +6,8 @@
 
 mod judge;
 mod pace;
+mod paired;
+mod pilot;
 mod rule;
 
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -17,6 +19,8 @@ use crate::render::film::{self, Taken, Window};
 use crate::render::integrators::Integrator;
 use crate::render::tiles::{Invalid, Job};
 
+pub use paired::{Difference, difference};
+pub use pilot::{Pilot, pilot};
 pub use rule::{LEAST_FOR_ERROR, MOST_DOUBTFUL, Rule, Until, first_check};
 
 use judge::Judgement;

@@ -21,4 +21,12 @@ impl Camera {
             Self::Perspective(camera) => camera.ray(x, y),
         }
     }
+
+    /// The same camera, with a film of `size` pixels spread over a part of its own: the `extent`
+    /// pixels from `corner` on.
+    pub fn over(&self, corner: [u64; 2], extent: [u64; 2], size: [u64; 2]) -> Self {
+        match self {
+            Self::Perspective(camera) => Self::Perspective(camera.over(corner, extent, size)),
+        }
+    }
 }

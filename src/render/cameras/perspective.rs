@@ -66,6 +66,15 @@ impl Perspective {
         Self { reach, floors, ..self }
     }
 
+    /// The same camera, with a film of `size` pixels spread over a part of its own: the `extent`
+    /// pixels from `corner` on.
+    pub(super) fn over(&self, corner: [u64; 2], extent: [u64; 2], size: [u64; 2]) -> Self {
+        let [x, y] = [0, 1].map(|i| extent[i] as f64 / size[i] as f64);
+        let middle =
+            [(self.middle[0] - corner[0] as f64) / x, (self.middle[1] - corner[1] as f64) / y];
+        Self { right: self.right * x, down: self.down * y, middle, ..self.clone() }
+    }
+
     /// The ray through a place on the film.
     pub(super) fn ray(&self, x: f64, y: f64) -> Ray {
         let aim =
@@ -109,6 +118,17 @@ mod tests {
         assert!((corner - expected).length() < 1e-6, "{corner}");
         assert_eq!(camera.ray(2.0, 1.0).direction, glam::Vec3::NEG_Z);
         assert_eq!(camera.ray(2.0, 1.0).origin, glam::Vec3::new(0.0, 0.0, 3.0));
+    }
+
+    #[test]
+    fn another_film_over_a_window_sees_what_is_in_it() {
+        let camera = camera(70.0, [40, 20]);
+        let small = camera.over([4, 2], [30, 16], [10, 4]);
+        for (u, v) in [(0.0, 0.0), (0.3, 0.9), (1.0, 1.0)] {
+            let there = camera.ray(4.0 + 30.0 * u, 2.0 + 16.0 * v).direction;
+            let here = small.ray(10.0 * u, 4.0 * v).direction;
+            assert!((there - here).length() < 1e-6, "{there} {here}");
+        }
     }
 
     #[test]

@@ -59,12 +59,20 @@ pub struct Geometry {
     shapes: Shapes,
     tree: Tree,
     bounds: Bounds,
+    /// Whether hits tell where on their surface they lie.
+    coordinates: bool,
 }
 
 impl Geometry {
     /// Never fails: a shape without area is never met, and does no harm.
     pub fn build(shapes: Shapes) -> Self {
-        Self { tree: Tree::build(&shapes), bounds: shapes.bounds(), shapes }
+        let (tree, bounds) = (Tree::build(&shapes), shapes.bounds());
+        Self { tree, bounds, shapes, coordinates: true }
+    }
+
+    /// The same, with `Hit::uv` or with zero in its place.
+    pub fn with_coordinates(self, coordinates: bool) -> Self {
+        Self { coordinates, ..self }
     }
 
     /// The first surface the ray meets at t in (0, `t_max`). At equal t the least primitive.
@@ -126,7 +134,7 @@ impl Geometry {
             }
             Kind::Sphere => {
                 let sphere = &self.shapes.spheres[index];
-                (sphere::surface(probe, sphere), sphere.owner)
+                (sphere::surface(probe, sphere, self.coordinates), sphere.owner)
             }
             Kind::Disk => {
                 let disk = &self.shapes.disks[index];

@@ -77,7 +77,7 @@ pub struct Hit {
     /// Shading normal, unit length, on the same side as `ng`.
     pub ns: Vec3,
     /// Triangle: weights of its second and third corner. Sphere: longitude over 2π and colatitude
-    /// over π, about +z. Disk and plane: zero.
+    /// over π, about +z; zero in a geometry without coordinates. Disk and plane: zero.
     pub uv: Vec2,
     /// What was met.
     pub primitive: Primitive,

@@ -114,7 +114,9 @@ pub struct Shapes {
     vertices: Vec<Vec3>,
     normals: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
+    /// One for each triangle; empty as long as none has any, unless they are to be kept.
     triangle_normals: Vec<[u32; 3]>,
+    keeps_normals: bool,
     pub(super) triangle_owners: Vec<Owner>,
     pub(super) spheres: Vec<Sphere>,
     pub(super) disks: Vec<Disk>,
@@ -128,6 +130,11 @@ impl Shapes {
     /// Nothing yet.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// The same, with room for normals in every triangle, whether any has some or not.
+    pub fn keeping_normals(self) -> Self {
+        Self { keeps_normals: true, ..self }
     }
 
     /// Adds a vertex position, world units, and gives its index.
@@ -153,8 +160,14 @@ impl Shapes {
             normals.is_none_or(|n| within(n, self.normals.len())),
             "a normal is pushed before its use"
         );
+        if normals.is_some() && !self.keeps_normals {
+            self.keeps_normals = true;
+            self.triangle_normals = vec![NO_NORMALS; self.triangles.len()];
+        }
         self.triangles.push(triangle.corners);
-        self.triangle_normals.push(normals.unwrap_or(NO_NORMALS));
+        if self.keeps_normals {
+            self.triangle_normals.push(normals.unwrap_or(NO_NORMALS));
+        }
         self.triangle_owners.push(triangle.owner);
         Primitive::new(Kind::Triangle, self.triangles.len() - 1)
     }
@@ -199,7 +212,7 @@ impl Shapes {
 
     /// Shading normals at a triangle's corners.
     pub(super) fn corner_normals(&self, triangle: usize) -> Option<[DVec3; 3]> {
-        let indices = self.triangle_normals[triangle];
+        let indices = *self.triangle_normals.get(triangle)?;
         (indices != NO_NORMALS).then(|| indices.map(|i| self.normals[i as usize].as_dvec3()))
     }
 

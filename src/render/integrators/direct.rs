@@ -8,6 +8,9 @@ use crate::math::Rgb;
 pub struct Direct {
     /// Whether surfaces hide lamps.
     pub shadows: bool,
+    /// Whether every light takes random numbers. Where none needs them the picture is the same
+    /// without.
+    pub numbers: bool,
     /// Which points of a lamp with an area shine.
     pub area_lights: AreaLights,
 }
@@ -43,7 +46,7 @@ impl Direct {
         for light in &world.lights.all {
             // Every lamp takes its numbers, whether they are needed or not, so that the numbers
             // of the next do not depend on where the ray went.
-            let u = stream.pair();
+            let u = if self.numbers { stream.pair() } else { [0.0; 2] };
             let arrival = match self.area_lights {
                 AreaLights::Center => light.at_centre(&point),
                 AreaLights::Random => light.sample(&world.geometry, &point, u),

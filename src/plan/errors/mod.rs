@@ -1,0 +1,5 @@
+//! Faults that a plan shows.
+
+mod scene;
+
+pub use scene::biased;

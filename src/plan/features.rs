@@ -1,0 +1,207 @@
+//! The features of the renderer, and which of them a scene requires.
+
+use super::survey::Survey;
+use crate::diag::Span;
+use crate::load::Stage;
+use crate::scene::{AreaLights, Integrator};
+
+/// Something that the renderer does only where it has to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Feature {
+    /// Lights and lamps are gathered, and asked at every hit.
+    Lights,
+    /// Rays from surfaces to lights, to see what is hidden.
+    ShadowRays,
+    /// Two random numbers for each light at every hit.
+    LampPoints,
+    /// Normals at the corners of triangles are kept, and read at every hit.
+    Normals,
+    /// Where on its surface a hit lies.
+    Coordinates,
+}
+
+impl Feature {
+    /// All of them, in the order in which they are told.
+    pub const ALL: [Self; 5] =
+        [Self::Lights, Self::ShadowRays, Self::LampPoints, Self::Normals, Self::Coordinates];
+
+    /// The word that machines read.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Lights => "lights",
+            Self::ShadowRays => "shadow_rays",
+            Self::LampPoints => "lamp_points",
+            Self::Normals => "normals",
+            Self::Coordinates => "coordinates",
+        }
+    }
+
+    /// Its name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Lights => "light on surfaces",
+            Self::ShadowRays => "shadow rays",
+            Self::LampPoints => "points on lamps",
+            Self::Normals => "smooth normals",
+            Self::Coordinates => "texture coordinates",
+        }
+    }
+}
+
+/// Whether a scene asks for a feature.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Need {
+    /// The picture would differ without it.
+    Required,
+    /// The picture is the same without it.
+    Unneeded,
+    /// A setting leaves it out, and the picture is another for it.
+    SwitchedOff,
+}
+
+/// Whether a scene asks for a feature, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The feature.
+    pub feature: Feature,
+    /// Whether.
+    pub need: Need,
+    /// Why: a sentence without a full stop, which names what decides.
+    pub why: String,
+    /// What decides, if it stands somewhere.
+    pub at: Option<Span>,
+}
+
+/// What a scene requires, and what is built for it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// One for each feature, in their order.
+    pub answers: Vec<Answer>,
+    /// Whether what the scene does not need is built all the same.
+    pub forced: bool,
+}
+
+impl Plan {
+    /// What a stage requires.
+    pub fn of(stage: &Stage) -> Self {
+        Self::with(stage, &stage.scene.integrator)
+    }
+
+    /// What a stage would require with another integrator.
+    pub fn with(stage: &Stage, integrator: &Integrator) -> Self {
+        let (survey, at) = (Survey::of(stage), stage.scene.integrator.span);
+        let asked = Asked { survey, integrator, at };
+        let answers = Feature::ALL.map(|feature| {
+            let (need, why, at) = match feature {
+                Feature::Lights => asked.lights(),
+                Feature::ShadowRays => asked.shadow_rays(),
+                Feature::LampPoints => asked.lamp_points(),
+                Feature::Normals => normals(stage),
+                Feature::Coordinates => {
+                    (Need::Unneeded, "no material reads a texture".to_string(), None)
+                }
+            };
+            Answer { feature, need, why, at }
+        });
+        Self { answers: answers.to_vec(), forced: false }
+    }
+
+    /// The same with everything put in that does not change the picture.
+    pub fn forced(self) -> Self {
+        Self { forced: true, ..self }
+    }
+
+    /// Whether a feature is put in.
+    pub fn builds(&self, feature: Feature) -> bool {
+        let need = self.answers.iter().find(|answer| answer.feature == feature);
+        need.is_none_or(|answer| match answer.need {
+            Need::Required => true,
+            Need::Unneeded => self.forced,
+            Need::SwitchedOff => false,
+        })
+    }
+}
+
+type Reason = (Need, String, Option<Span>);
+
+/// A stage with an integrator, which stands there.
+struct Asked<'a> {
+    survey: Survey<'a>,
+    integrator: &'a Integrator,
+    at: Span,
+}
+
+impl Asked<'_> {
+    fn lights(&self) -> Reason {
+        let survey = &self.survey;
+        if let Integrator::Preview(_) = self.integrator {
+            return (Need::Unneeded, "`preview` follows no light".to_string(), Some(self.at));
+        }
+        match (survey.shining(), survey.brightest()) {
+            (None, _) => (Need::Unneeded, "nothing shines on surfaces".to_string(), None),
+            (_, None) => (Need::Unneeded, "all surfaces are black".to_string(), None),
+            (Some(light), Some(lit)) => {
+                let why = format!("`{}` shines, `{}` gives light back", **light, *lit.object.name);
+                (Need::Required, why, Some(light.span))
+            }
+        }
+    }
+
+    /// Why no light is followed to surfaces, or none.
+    fn unlit(&self) -> Option<Reason> {
+        let (need, _, at) = self.lights();
+        let why = "no light is followed to surfaces";
+        (need == Need::Unneeded).then(|| (need, why.to_string(), at))
+    }
+
+    fn shadow_rays(&self) -> Reason {
+        if let Some(unlit) = self.unlit() {
+            return unlit;
+        }
+        if let Integrator::Direct(direct) = self.integrator
+            && !direct.shadows.0
+        {
+            return (Need::SwitchedOff, "`shadows: off`".to_string(), Some(direct.shadows.span));
+        }
+        if let Some(only) = self.survey.only_convex() {
+            let why = format!("`{}` is all there is, and hides no light from itself", *only.name);
+            return (Need::Unneeded, why, Some(only.name.span));
+        }
+        let light = self.survey.shining();
+        let name = light.map_or("light", |light| light.value.as_str());
+        let why = format!("surfaces may hide `{name}`");
+        (Need::Required, why, light.map(|light| light.span))
+    }
+
+    fn lamp_points(&self) -> Reason {
+        if let Some(unlit) = self.unlit() {
+            return unlit;
+        }
+        if let Integrator::Direct(direct) = self.integrator
+            && direct.area_lights.value == AreaLights::Center
+        {
+            let why = "`area_lights: center` takes each lamp for a point";
+            return (Need::Unneeded, why.to_string(), Some(direct.area_lights.span));
+        }
+        match self.survey.lamp() {
+            Some(lamp) => {
+                let why = format!("the lamp `{}` has an area", *lamp.object.name);
+                (Need::Required, why, Some(lamp.object.name.span))
+            }
+            None => (Need::Unneeded, "no lamp has an area".to_string(), None),
+        }
+    }
+}
+
+fn normals(stage: &Stage) -> Reason {
+    let smooth = stage.scene.objects.iter().zip(&stage.meshes).find(|(_, mesh)| {
+        mesh.as_ref().is_some_and(|staged| !staged.mesh.normal_indices.is_empty())
+    });
+    match smooth {
+        Some((object, _)) => {
+            let why = format!("`{}` has normals at its corners", *object.name);
+            (Need::Required, why, Some(object.name.span))
+        }
+        None => (Need::Unneeded, "no mesh has normals at its corners".to_string(), None),
+    }
+}

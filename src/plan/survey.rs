@@ -1,0 +1,151 @@
+//! What a plan looks at: the surfaces of a stage with their materials, and what shines on them.
+
+use glam::DVec3;
+
+use crate::load::Stage;
+use crate::math::Spectrum;
+use crate::optics::colour;
+use crate::scene::{self, At, Light, Material, Named, Object};
+
+/// The surfaces and lights of a stage.
+pub(super) struct Survey<'a> {
+    /// One for each object and each of its materials that is in use.
+    pub surfaces: Vec<Surface<'a>>,
+    /// `directional` lights that shine.
+    pub directional: Vec<&'a Named<Light>>,
+    /// `constant` lights that shine.
+    pub constant: Vec<&'a Named<Light>>,
+    camera: &'a scene::Camera,
+    objects: &'a [Named<Object>],
+}
+
+/// The surfaces of one object that share a material.
+pub(super) struct Surface<'a> {
+    pub object: &'a Named<Object>,
+    pub material: &'a Named<Material>,
+    /// The largest channel of the part of light it gives back; as rendered.
+    pub albedo: f64,
+    /// Whether its front shines.
+    pub shines: bool,
+}
+
+impl<'a> Survey<'a> {
+    pub fn of(stage: &'a Stage) -> Self {
+        let scene = &*stage.scene;
+        let mut surfaces = Vec::new();
+        for (object, mesh) in scene.objects.iter().zip(&stage.meshes) {
+            let material = match &object.value.value {
+                Object::Disk(disk) => &disk.material,
+                Object::Plane(plane) => &plane.material,
+                Object::Quad(quad) => &quad.material,
+                Object::Sphere(sphere) => &sphere.material,
+                Object::Triangle(triangle) => &triangle.material,
+                Object::Mesh(_) => {
+                    let Some(mesh) = mesh else { continue };
+                    let mut used = vec![false; mesh.materials.len()];
+                    mesh.mesh.slots.iter().for_each(|slot| used[*slot as usize] = true);
+                    let used = mesh.materials.iter().zip(used).filter(|(_, used)| *used);
+                    surfaces.extend(used.map(|(material, _)| Surface::new(object, material)));
+                    continue;
+                }
+            };
+            surfaces.push(Surface::new(object, scene.material(material)));
+        }
+        let lights = |wanted: fn(&Light) -> Option<&Spectrum>| {
+            let shines = move |light: &&Named<Light>| wanted(&light.value).is_some_and(is_lit);
+            scene.lights.iter().filter(shines).collect()
+        };
+        Self {
+            surfaces,
+            directional: lights(|light| match light {
+                Light::Directional(sun) => Some(&sun.irradiance.value.0),
+                Light::Constant(_) => None,
+            }),
+            constant: lights(|light| match light {
+                Light::Constant(constant) => Some(&constant.radiance.value.0),
+                Light::Directional(_) => None,
+            }),
+            camera: &scene.camera,
+            objects: &scene.objects,
+        }
+    }
+
+    /// The first lamp: a surface that shines.
+    pub fn lamp(&self) -> Option<&Surface<'a>> {
+        self.surfaces.iter().find(|surface| surface.shines)
+    }
+
+    /// The name of something that `direct` follows light from: a `directional` light or a lamp.
+    pub fn shining(&self) -> Option<&'a At<String>> {
+        let sun = self.directional.first().map(|light| &light.name);
+        sun.or_else(|| self.lamp().map(|lamp| &lamp.object.name))
+    }
+
+    /// The surface that gives most light back; None if all are black.
+    pub fn brightest(&self) -> Option<&Surface<'a>> {
+        let scatters = self.surfaces.iter().filter(|surface| surface.albedo > 0.0);
+        scatters.max_by(|a, b| a.albedo.total_cmp(&b.albedo))
+    }
+
+    /// The only object there is, if no part of it can hide light from another part that is seen.
+    pub fn only_convex(&self) -> Option<&'a Named<Object>> {
+        let [only] = self.objects else { return None };
+        self.is_convex(only).then_some(only)
+    }
+
+    /// Whether light that surfaces scatter may meet one that scatters it again.
+    pub fn scatters_twice(&self) -> bool {
+        let mut scattering = self.surfaces.iter().filter(|surface| surface.albedo > 0.0);
+        let Some(first) = scattering.next() else { return false };
+        !self.is_convex(first.object)
+            || scattering.any(|other| !std::ptr::eq(other.object, first.object))
+    }
+
+    /// Whether an object is one flat surface, or a sphere seen from outside: what leaves the side
+    /// that is seen does not come back to it.
+    fn is_convex(&self, object: &Named<Object>) -> bool {
+        match &object.value.value {
+            Object::Disk(_) | Object::Plane(_) | Object::Quad(_) | Object::Triangle(_) => true,
+            Object::Mesh(_) => false,
+            Object::Sphere(sphere) => {
+                let place = sphere.place.transform();
+                let Some(scale) = place.uniform_scale() else { return false };
+                let (centre, radius) = (place.point(sphere.center.0), scale * sphere.radius.0);
+                match self.camera {
+                    scene::Camera::Perspective(camera) => is_outside(camera.eye.0, centre, radius),
+                    // Its place depends on all objects: said only where there are no others. The
+                    // radius of the box around a sphere is √3 of its own.
+                    scene::Camera::Overview(camera) => {
+                        let away = camera.distance.0 * 3.0_f64.sqrt() * radius;
+                        self.objects.len() == 1
+                            && is_outside(centre + away * DVec3::X, centre, radius)
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Clearly outside: rounding does not matter.
+fn is_outside(eye: DVec3, centre: DVec3, radius: f64) -> bool {
+    const CLEARLY: f64 = 1.001;
+    eye.distance(centre) > CLEARLY * radius
+}
+
+impl<'a> Surface<'a> {
+    fn new(object: &'a Named<Object>, material: &'a Named<Material>) -> Self {
+        let Material::Diffuse(diffuse) = &material.value.value;
+        let albedo = colour::reflected(&diffuse.albedo.0);
+        Self {
+            object,
+            material,
+            albedo: albedo.into_iter().fold(0.0, f64::max),
+            shines: is_lit(&diffuse.emission.0),
+        }
+    }
+}
+
+/// Whether there is any light in it.
+fn is_lit(light: &Spectrum) -> bool {
+    colour::emitted(light).into_iter().any(|channel| channel > 0.0)
+}
