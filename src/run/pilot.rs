@@ -109,7 +109,7 @@ fn chosen(all: usize, wanted: usize) -> Vec<usize> {
 
 fn noise_of(world: &World, taken: &Taken, tiles: &[usize]) -> (Option<Noise>, bool) {
     let means: Vec<_> = taken
-        .means(&world.film, world.light_unit)
+        .means(&world.film.window, world.light_unit)
         .enumerate()
         .filter(|(index, _)| tiles.binary_search(index).is_ok())
         .map(|(_, means)| means)
