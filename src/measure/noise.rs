@@ -182,3 +182,93 @@ impl Spread {
         Sum { total: self.total, variance: seen.max(normal) + self.luck }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pixel(mean: f64, variance: f64, largest: f64) -> MeanPixel {
+        MeanPixel { mean: [mean; 3], variance: [variance; 3], largest: [largest; 3] }
+    }
+
+    #[track_caller]
+    fn near(found: f64, wanted: f64) {
+        assert!((found - wanted).abs() <= 1e-12 * wanted.abs(), "{found}, not {wanted}");
+    }
+
+    #[test]
+    fn epsilon_is_of_the_median_of_what_is_lit() {
+        let luminances = [0.0, 0.0, 0.0, 8.0, 1.0, 2.0, -1.0, 0.0];
+        near(epsilon(luminances.into_iter()), 0.04);
+        assert_eq!(epsilon([0.0, 0.0].into_iter()), 0.0);
+    }
+
+    #[test]
+    fn two_pixels_by_hand() {
+        let pixels = [pixel(2.0, 0.1, 0.5), pixel(-1.0, 0.3, 0.05)];
+        let share = Share::of(&pixels, 10, false, 0.25);
+        let noise = share.noise(0.25);
+        let x = [0.1 / 4.25, 0.3 / 1.25];
+        near(noise.relmse, (x[0] + x[1]) / 2.0);
+        // The largest sample left out: 1.5 and .95; counted twice: 2.5 and 1.05.
+        let y = [0.1 / 2.5, 0.3 / (0.95 * 0.95 + 0.25)];
+        let z = [0.1 / 6.5, 0.3 / (1.05 * 1.05 + 0.25)];
+        let t = student_t_quantile(0.975, 10.0);
+        let reach = |x: [f64; 2]| {
+            let seen = (x[0] - x[1]).powi(2);
+            let normal = 0.2 * (x[0] * x[0] + x[1] * x[1]);
+            let luck = 2.25 * x[0] * x[0] + 2.05 * x[1] * x[1];
+            t * (seen.max(normal) + luck).sqrt()
+        };
+        near(noise.high, (y[0] + y[1] + reach(y)) / 2.0);
+        assert_eq!(noise.low, ((z[0] + z[1] - reach(z)) / 2.0).max(0.0));
+        // A quarter of the first pixel is one sample.
+        assert_eq!(noise.doubtful, 1);
+        near(noise.doubtful_part, y[0] / (y[0] + y[1]));
+    }
+
+    #[test]
+    fn many_alike_pixels_are_sure_of_it() {
+        let pixels = vec![pixel(1.0, 1e-4, 0.01); 10_000];
+        let noise = Share::of(&pixels, 99, false, 0.0).noise(0.0);
+        near(noise.relmse, 1e-4);
+        assert!(noise.low > 0.95e-4 && noise.high < 1.05e-4, "{noise:?}");
+        assert_eq!((noise.doubtful, noise.doubtful_part), (0, 0.0));
+        let bound = Share::of(&pixels, 99, true, 0.0).noise(0.0);
+        assert_eq!((bound.low, bound.high), (0.0, noise.high));
+    }
+
+    #[test]
+    fn shares_add_up() {
+        let pixels: Vec<MeanPixel> =
+            (1..=8).map(|i| pixel(1.0, 0.01 * f64::from(i), 0.03 * f64::from(i))).collect();
+        let parts = pixels.chunks(4).map(|part| Share::of(part, 20, false, 0.1));
+        let noise = parts.fold(Share::default(), |all, share| all.and(&share)).noise(0.1);
+        let whole = Share::of(&pixels, 20, false, 0.1).noise(0.1);
+        near(noise.relmse, whole.relmse);
+        assert_eq!(noise.doubtful, whole.doubtful);
+        near(noise.doubtful_part, whole.doubtful_part);
+        // Pixels that differ much from those beside them make it less sure, those far away do not.
+        assert!(noise.high < whole.high);
+    }
+
+    #[test]
+    fn a_picture_without_noise_has_none() {
+        let black = vec![pixel(0.0, 0.0, 0.0); 4];
+        let noise = Share::of(&black, 3, false, 0.0).noise(0.0);
+        assert_eq!((noise.relmse, noise.low, noise.high), (0.0, 0.0, 0.0));
+        assert_eq!(noise.doubtful_part, 0.0);
+        let even = vec![pixel(3.0, 0.0, 0.01); 4];
+        assert_eq!(Share::of(&even, 3, false, 0.09).noise(0.09).high, 0.0);
+    }
+
+    #[test]
+    fn the_largest_numbers_give_an_answer() {
+        for scale in [1e-150, 1.0, 1e150] {
+            let pixels = vec![pixel(scale, 0.01 * scale * scale, 0.1 * scale); 16];
+            let noise = Share::of(&pixels, 15, false, 0.0).noise(0.0);
+            near(noise.relmse, 0.01);
+            assert!(noise.high.is_finite());
+        }
+    }
+}
