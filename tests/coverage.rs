@@ -109,7 +109,7 @@ impl Held {
 fn relmse(prepared: &Prepared, outcome: &Outcome, truth: &[f64]) -> f64 {
     let epsilon = outcome.noise.unwrap().epsilon;
     let width = prepared.world.film.size[0];
-    let means = outcome.taken.means(&prepared.world.film, prepared.world.light_unit);
+    let means = outcome.taken.means(&prepared.world.film.window, prepared.world.light_unit);
     let error = |((x, y), pixel): ((u64, u64), MeanPixel)| {
         let truth = truth[(y * width + x) as usize];
         (pixel.mean[1] - truth).powi(2) / (truth * truth + epsilon)
@@ -124,7 +124,7 @@ fn judge(prepared: &Prepared, outcome: &Outcome, truth: &[f64]) -> Held {
     let noise = outcome.noise.unwrap();
     let world = &prepared.world;
     let mut held = 0;
-    for means in outcome.taken.means(&world.film, world.light_unit) {
+    for means in outcome.taken.means(&world.film.window, world.light_unit) {
         let t = student_t_quantile(0.975, means.freedom as f64);
         for ((x, y), pixel) in means.tile.places().zip(&means.pixels) {
             let truth = truth[(y * world.film.size[0] + x) as usize];
