@@ -2,6 +2,7 @@
 
 mod entries;
 mod own;
+mod spectra;
 mod types;
 
 use super::near::{either, near};
@@ -24,6 +25,8 @@ pub fn run(options: &List) -> End {
         ["keywords" | "keyword"] => own::keywords(look),
         ["functions" | "function"] => own::functions(look),
         ["lints" | "lint"] => super::lint::list(),
+        ["shelves" | "shelf"] => spectra::shelves(look),
+        ["types" | "type"] => spectra::quantities(look),
         [places @ .., word] => match word_page(word, places, look) {
             Some(page) => page,
             None => {
@@ -34,7 +37,12 @@ pub fn run(options: &List) -> End {
                         places.join(" ")
                     )
                 } else {
-                    let hint = match near(word, all.into_iter().chain(own::words())).as_slice() {
+                    let hint = match near(
+                        word,
+                        all.into_iter().chain(own::words()).chain(spectra::further_words()),
+                    )
+                    .as_slice()
+                    {
                         [] => "`scn list` shows the words it has".to_string(),
                         words => format!("did you mean {}?", either(words)),
                     };
@@ -104,6 +112,7 @@ fn word_page(word: &str, places: &[&str], look: Look) -> Option<String> {
     if places.is_empty() {
         pages.extend(own::page(word, look));
     }
+    pages.extend(spectra::page(word, places, look));
     (!pages.is_empty()).then(|| pages.join("\n"))
 }
 
@@ -203,7 +212,7 @@ mod tests {
     #[test]
     fn a_page_tells_type_unit_range_and_default() {
         let page = word_page("diffuse", &[], Look::PLAIN).unwrap();
-        for part in ["albedo", "number or colour", "0 or more", "must be given", "W/m^2/sr"] {
+        for part in ["reflectance: number, colour or", "0 or more", "must be given", "W/m^2/sr"] {
             assert!(page.contains(part), "{part} is not in\n{page}");
         }
         let page = word_page("fov_y", &[], Look::PLAIN).unwrap();
@@ -223,6 +232,13 @@ mod tests {
         }
         let page = word_page("rotate", &[], Look::PLAIN).unwrap();
         assert!(page.starts_with("rotate(axis, angle)\n"), "{page}");
+        let page = word_page("gold", &["metal"], Look::PLAIN).unwrap();
+        assert!(page.contains("metal.gold") && page.contains("[Johnson72]"), "{page}");
+        assert!(word_page("gold", &["glass"], Look::PLAIN).is_none());
+        assert!(spectra::shelves(Look::PLAIN).lines().all(|line| line.chars().count() <= 100));
+        for word in spectra::further_words() {
+            assert!(word_page(word, &[], Look::PLAIN).is_some(), "{word}");
+        }
         let page = word_page("cm", &[], Look::PLAIN).unwrap();
         assert!(page.contains("a length. 1 cm is 0.01 m."), "{page}");
     }

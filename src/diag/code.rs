@@ -66,6 +66,7 @@ macro_rules! codes {
 
 // One line a fault, alphabetical. A page that is missing does not compile.
 codes! {
+    FILE_BAD_DATA = "file/bad-data";
     FILE_OUTSIDE_FOLDER = "file/outside-folder";
     FILE_UNREADABLE = "file/unreadable";
     IMPORT_CIRCLE = "import/circle";
@@ -135,6 +136,7 @@ codes! {
     NAME_FIELD_TWICE = "name/field-twice";
     NAME_MISSING_NAME = "name/missing-name";
     NAME_TAKEN = "name/taken";
+    NAME_UNKNOWN_DATUM = "name/unknown-datum";
     NAME_UNKNOWN_DECLARATION = "name/unknown-declaration";
     NAME_UNKNOWN_FIELD = "name/unknown-field";
     NAME_UNKNOWN_FUNCTION = "name/unknown-function";
@@ -168,6 +170,10 @@ codes! {
     SCENE_TOO_MUCH_MEMORY = "scene/too-much-memory";
     SCENE_TOO_SMALL = "scene/too-small";
     SCENE_UNEVEN_SCALE = "scene/uneven-scale";
+    SPECTRUM_MIXED = "spectrum/mixed";
+    SPECTRUM_NO_INDEX = "spectrum/no-index";
+    SPECTRUM_NO_WAVELENGTH = "spectrum/no-wavelength";
+    SPECTRUM_NOT_VISIBLE = "spectrum/not-visible";
     SYNTAX_BAD_ESCAPE = "syntax/bad-escape";
     SYNTAX_COLON_OR_EQUALS = "syntax/colon-or-equals";
     SYNTAX_COMMENT = "syntax/comment";

@@ -5,15 +5,22 @@ use std::rc::Rc;
 use super::ast::Operator;
 use super::errors::{name, types};
 use super::eval::Evaluator;
+use super::spectra;
 use super::value::{Value, ValueKind};
 use crate::diag::{FileId, Span};
 use crate::math::units::{self, Dimension};
 
-/// A word that stands for a quantity becomes it: units, `pi`, `x y z`. Other words are told to be
-/// unknown.
+/// A word that stands for a quantity becomes it: units, `pi`, `x y z`; so does a record that is a
+/// spectrum. Other words are told to be unknown.
 pub fn quantity(ev: &Evaluator, value: &Value) -> Value {
-    let ValueKind::Word(word) = &value.kind else { return value.clone() };
     let span = value.span;
+    let word = match &value.kind {
+        ValueKind::Word(word) => word,
+        ValueKind::Record(record) => {
+            return spectra::from_record(ev, record, span).unwrap_or_else(|| value.clone());
+        }
+        _ => return value.clone(),
+    };
     if let Some(found) = known(&word.text, span) {
         return found;
     }
@@ -65,32 +72,37 @@ pub fn binary(
         (ValueKind::Vector { .. }, _) | (_, ValueKind::Vector { .. }) => {
             return vectors(ev, &left, operator, place, &right, span);
         }
-        (
-            ValueKind::Number { .. } | ValueKind::Colour(..),
-            ValueKind::Number { .. } | ValueKind::Colour(..),
-        ) => scalars(ev, &left, operator, place, &right),
-        _ => None,
+        _ => match [&left, &right].into_iter().find(|value| parts(value).is_none()) {
+            Some(odd) => {
+                ev.reports.tell(types::no_arithmetic(&odd.described(), odd.span, place));
+                None
+            }
+            None => scalars(ev, &left, operator, place, &right),
+        },
     };
     match kind {
         Some(kind) => ev.finite(Value { kind, span }),
-        None => {
-            let odd =
-                |v: &Value| !matches!(v.kind, ValueKind::Number { .. } | ValueKind::Colour(..));
-            if odd(&left) || odd(&right) {
-                let odd = if odd(&left) { &left } else { &right };
-                ev.reports.tell(types::no_arithmetic(&odd.described(), odd.span, place));
-            }
-            Value::broken(span)
-        }
+        None => Value::broken(span),
     }
 }
 
-/// Components, dimension, and whether it is one number.
-fn parts(value: &Value) -> ([f64; 3], Dimension, bool) {
+/// What scalars are made of.
+enum Parts {
+    /// A number.
+    Number(f64),
+    /// Channels.
+    Colour([f64; 3]),
+    /// Values by wavelength.
+    Spectrum,
+}
+
+/// What a value is made of, and its dimension; None if it is no number, colour or spectrum.
+fn parts(value: &Value) -> Option<(Parts, Dimension)> {
     match &value.kind {
-        ValueKind::Colour(components, dimension) => (*components, *dimension, false),
-        ValueKind::Number { value, dimension, .. } => ([*value; 3], *dimension, true),
-        _ => ([f64::NAN; 3], Dimension::NONE, true),
+        ValueKind::Number { value, dimension, .. } => Some((Parts::Number(*value), *dimension)),
+        ValueKind::Colour(components, dimension) => Some((Parts::Colour(*components), *dimension)),
+        ValueKind::Spectrum(_, dimension) => Some((Parts::Spectrum, *dimension)),
+        _ => None,
     }
 }
 
@@ -101,33 +113,45 @@ fn scalars(
     place: Span,
     right: &Value,
 ) -> Option<ValueKind> {
-    let (a, dim_a, plain_a) = parts(left);
-    let (b, dim_b, plain_b) = parts(right);
+    let ((a, dim_a), (b, dim_b)) = (parts(left)?, parts(right)?);
     let additive = matches!(operator, Operator::Add | Operator::Subtract);
     if additive && dim_a != dim_b {
         ev.reports.tell(types::sum_of(&dim_a.name(), left.span, &dim_b.name(), right.span, place));
         return None;
     }
-    let of = |i: usize| match operator {
-        Operator::Add => a[i] + b[i],
-        Operator::Subtract => a[i] - b[i],
-        Operator::Multiply => a[i] * b[i],
-        Operator::Divide => a[i] / b[i],
+    let of = |a: f64, b: f64| match operator {
+        Operator::Add => a + b,
+        Operator::Subtract => a - b,
+        Operator::Multiply => a * b,
+        Operator::Divide => a / b,
     };
     let dimension = match operator {
         Operator::Multiply => dim_a.times(dim_b),
         Operator::Divide => dim_a.over(dim_b),
         _ => dim_a,
     };
-    if !(plain_a && plain_b) {
-        return Some(ValueKind::Colour([of(0), of(1), of(2)], dimension));
-    }
+    let channels = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| of(a[i], b[i]));
+    let value = match (a, b) {
+        (Parts::Number(a), Parts::Number(b)) => of(a, b),
+        (Parts::Spectrum, _) | (_, Parts::Spectrum) => {
+            return spectra::binary(ev, left, operator, right, dimension, place);
+        }
+        (Parts::Colour(a), Parts::Colour(b)) => {
+            return Some(ValueKind::Colour(channels(a, b), dimension));
+        }
+        (Parts::Colour(a), Parts::Number(b)) => {
+            return Some(ValueKind::Colour(channels(a, [b; 3]), dimension));
+        }
+        (Parts::Number(a), Parts::Colour(b)) => {
+            return Some(ValueKind::Colour(channels([a; 3], b), dimension));
+        }
+    };
     let written = |v: &Value| match v.kind {
         ValueKind::Number { unit, .. } => unit,
         _ => None,
     };
     let unit = written(left).or(written(right)).filter(|unit| unit.dimension == dimension);
-    Some(ValueKind::Number { value: of(0), dimension, unit })
+    Some(ValueKind::Number { value, dimension, unit })
 }
 
 fn vectors(
@@ -209,6 +233,10 @@ pub fn power(ev: &Evaluator, value: Value, exponent: i8, span: Span) -> Value {
         ValueKind::Colour(c, dimension) => {
             ValueKind::Colour(c.map(raised), dimension.power(exponent))
         }
+        ValueKind::Spectrum(spectrum, dimension) => match spectra::power(spectrum, exponent) {
+            Some(raised) => ValueKind::Spectrum(raised, dimension.power(exponent)),
+            None => return Value::broken(span),
+        },
         _ => {
             ev.reports.tell(types::no_arithmetic(&value.described(), value.span, span));
             return Value::broken(span);

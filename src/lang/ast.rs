@@ -210,6 +210,15 @@ pub enum ExprKind {
     Broken,
 }
 
+/// A number as written, with its unit and the unit's exponent.
+#[derive(Clone, Copy, Debug)]
+pub struct Quantity {
+    /// The number.
+    pub value: f64,
+    /// Its unit.
+    pub unit: Option<(&'static Unit, i8)>,
+}
+
 /// An operator between two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operator {
@@ -239,8 +248,10 @@ pub struct Record {
 /// A field with its value.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// The field.
+    /// The field, as written.
     pub key: Word,
+    /// A number where a field's word may stand: `400 nm`.
+    pub quantity: Option<Quantity>,
     /// What it is.
     pub value: Arc<Expr>,
 }

@@ -23,7 +23,7 @@ type Group = Vec<(usize, Rc<Action>)>;
 /// Builds the declarations of a scope.
 pub struct Composer<'a> {
     /// Computes values.
-    pub ev: &'a Evaluator,
+    pub ev: &'a Evaluator<'a>,
     /// All scopes.
     pub plan: &'a Plan,
     /// What `--set` says.
@@ -284,7 +284,7 @@ impl Composer<'_> {
                 self.change(&before, &field.ty, rest, new, &inner, place)?
             }
         };
-        let field = FieldValue { key: part.clone(), value: Thunk::Ready(changed) };
+        let field = FieldValue { key: part.clone(), quantity: None, value: Thunk::Ready(changed) };
         match said {
             Some(at) => record.fields[at] = field,
             None => record.fields.push(field),

@@ -8,10 +8,11 @@ use std::sync::Arc;
 
 use super::arithmetic;
 use super::ast::{Expr, ExprKind, Let, Name, Piece, Record, Word};
+use super::data_file::DataFiles;
 use super::errors::{name as names, render, types};
 use super::report::Reports;
 use super::value::{Binding, Bound, Env, FieldValue, Frame, RecordValue, Thunk, Value, ValueKind};
-use super::{functions, limits};
+use super::{functions, limits, ranges, shelves, spectra};
 use crate::diag::{FileId, Span};
 use crate::math::units::{self, Dimension};
 
@@ -28,9 +29,11 @@ pub struct FileFacts {
 
 /// Computes values and counts what that costs.
 #[derive(Default)]
-pub struct Evaluator {
+pub struct Evaluator<'l> {
     /// Where faults are told.
     pub reports: Reports,
+    /// The files that values are taken from.
+    pub data: DataFiles<'l>,
     files: HashMap<FileId, FileFacts>,
     /// Files whose missing unit was told.
     unitless: RefCell<HashSet<FileId>>,
@@ -39,7 +42,7 @@ pub struct Evaluator {
     depth: Cell<usize>,
 }
 
-impl Drop for Evaluator {
+impl Drop for Evaluator<'_> {
     /// Frames hold lets that hold frames; this parts them.
     fn drop(&mut self) {
         self.frames.borrow().iter().for_each(|frame| frame.names.borrow_mut().clear());
@@ -50,7 +53,7 @@ impl Drop for Evaluator {
 /// for [`limits::DEPTH`] brackets, shallow enough for the stack.
 const NESTING: usize = 6 * limits::DEPTH;
 
-impl Evaluator {
+impl Evaluator<'_> {
     /// Makes a file known.
     pub fn add_file(&mut self, file: FileId, facts: FileFacts) {
         self.files.insert(file, facts);
@@ -113,8 +116,14 @@ impl Evaluator {
 
     /// Counts a piece of work; false once the limit is reached.
     pub fn spend(&self, span: Span) -> bool {
-        self.items.set(self.items.get() + 1);
-        if self.items.get() == limits::ITEMS {
+        self.spend_many(1, span)
+    }
+
+    /// Counts a piece of work that costs as much as so many values.
+    pub fn spend_many(&self, values: usize, span: Span) -> bool {
+        let before = self.items.get();
+        self.items.set(before.saturating_add(values));
+        if before < limits::ITEMS && self.items.get() >= limits::ITEMS {
             self.reports.tell(render::too_many_items(span));
         }
         self.items.get() < limits::ITEMS
@@ -191,7 +200,7 @@ impl Evaluator {
             }
             ExprKind::Range { from, to, step } => {
                 let step = step.as_ref().map(|step| self.eval(step, env));
-                return self.range(self.eval(from, env), self.eval(to, env), step, span);
+                return ranges::range(self, self.eval(from, env), self.eval(to, env), step, span);
             }
             ExprKind::Broken => ValueKind::Broken,
         };
@@ -221,6 +230,7 @@ impl Evaluator {
         let finite = match &value.kind {
             ValueKind::Number { value, .. } => value.is_finite(),
             ValueKind::Colour(components, _) => components.iter().all(|c| c.is_finite()),
+            ValueKind::Spectrum(spectrum, _) => spectra::is_finite(spectrum),
             _ => true,
         };
         if finite {
@@ -293,10 +303,7 @@ impl Evaluator {
                 Some(binding) => return self.bound(&binding, word),
                 None => word.clone(),
             },
-            _ => {
-                let text: Vec<_> = path.iter().map(|word| &*word.text).collect();
-                Word { text: text.join(".").into(), span }
-            }
+            _ => return shelves::named(self, path, env, span),
         };
         Value { kind: ValueKind::Word(word), span }
     }
@@ -399,67 +406,12 @@ impl Evaluator {
         }
         Value { kind: ValueKind::Record(Rc::new(record)), span }
     }
-
-    fn range(&self, from: Value, to: Value, step: Option<Value>, span: Span) -> Value {
-        let one = match &from.kind {
-            ValueKind::Number { dimension, unit, .. } => {
-                let scale = unit.map_or(1.0, |unit| unit.scale);
-                Value::number(scale, *dimension, span)
-            }
-            _ => Value::number(1.0, Dimension::NONE, span),
-        };
-        let step = step.unwrap_or(one);
-        let mut numbers = [0.0; 3];
-        let mut same = None;
-        let mut written = None;
-        for (slot, value) in numbers.iter_mut().zip([&from, &to, &step]) {
-            let value = arithmetic::quantity(self, value);
-            match value.kind {
-                ValueKind::Number { value: x, dimension, unit } => {
-                    *slot = x;
-                    written = written.or(unit);
-                    if *same.get_or_insert(dimension) != dimension {
-                        let first = same.map_or_else(String::new, Dimension::name);
-                        self.reports.tell(types::dimension(
-                            "this range",
-                            &first,
-                            &dimension.name(),
-                            value.span,
-                        ));
-                        return Value::broken(span);
-                    }
-                }
-                ValueKind::Broken => return Value::broken(span),
-                _ => {
-                    let found = value.described();
-                    self.reports.tell(types::mismatch("a range", "numbers", &found, value.span));
-                    return Value::broken(span);
-                }
-            }
-        }
-        let [from, to, step] = numbers;
-        let steps = (to - from) / step;
-        if step == 0.0 || steps < -1e-9 || steps.is_nan() {
-            self.reports.tell(types::empty_range(step == 0.0, span));
-            return Value::broken(span);
-        }
-        if steps >= limits::ELEMENTS as f64 {
-            self.reports.tell(render::too_many_elements(span));
-            return Value::broken(span);
-        }
-        let dimension = same.unwrap_or(Dimension::NONE);
-        let element = |i: usize| {
-            let value = super::value::neat(from + i as f64 * step);
-            Value { kind: ValueKind::Number { value, dimension, unit: written }, span }
-        };
-        let count = (steps + 1e-9).floor() as usize + 1;
-        Value { kind: ValueKind::List((0..count).map(element).collect()), span }
-    }
 }
 
 fn fields(record: &Record, env: &Env) -> RecordValue {
     let field = |entry: &super::ast::Entry| FieldValue {
         key: entry.key.clone(),
+        quantity: entry.quantity,
         value: Thunk::Lazy(entry.value.clone(), env.clone()),
     };
     RecordValue {

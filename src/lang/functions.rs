@@ -3,15 +3,17 @@
 use glam::DVec3;
 
 use super::ast::Word;
-use super::check;
 use super::errors::types;
 use super::eval::Evaluator;
 use super::value::{Value, ValueKind, neat};
 use super::words::FUNCTIONS;
+use super::{check, spectra};
 use crate::diag::Span;
-use crate::math::srgb;
 use crate::math::units::Dimension;
+use crate::math::{Formula, Spectrum, srgb};
+use crate::optics;
 use crate::scene::Step;
+use crate::scene::schema::Range;
 
 /// Their names.
 pub const ALL: &[&str] = &{
@@ -39,6 +41,10 @@ pub fn call(ev: &Evaluator, word: &Word, values: Vec<Value>, span: Span) -> Opti
         "srgb" => colour(ev, &values, srgb::decode),
         "scale" => scale(ev, &values),
         "rotate" => rotate(ev, &values),
+        "blackbody" => blackbody(ev, &values[0]),
+        "complex" => check::complex(ev, &values[0], &values[1]),
+        "data" => data(ev, &values, span),
+        "upsample" => upsample(ev, &values[0], span),
         _ => moved(ev, &values, span).map(|v| ValueKind::Step(Step::Move(v))),
     };
     Some(Value { kind: kind.unwrap_or(ValueKind::Broken), span })
@@ -86,6 +92,69 @@ fn rotate(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
     let axis = check::direction(ev, &values[0], "the first argument of `rotate`");
     let angle = check::number(ev, &values[1], Dimension::ANGLE, "the second argument of `rotate`");
     Some(ValueKind::Step(Step::Rotate(axis?, angle?)))
+}
+
+fn blackbody(ev: &Evaluator, value: &Value) -> Option<ValueKind> {
+    let what = "the temperature of `blackbody`";
+    let kelvin = check::number(ev, value, Dimension::TEMPERATURE, what)?;
+    check::in_range(ev, value, kelvin, &Range::above(0.0), Dimension::TEMPERATURE, what)?;
+    let radiance = Spectrum::of(Formula::Blackbody(kelvin));
+    Some(ValueKind::Spectrum(radiance, Dimension::SPECTRAL_RADIANCE))
+}
+
+fn data(ev: &Evaluator, values: &[Value], span: Span) -> Option<ValueKind> {
+    let ValueKind::Text { text, file } = &values[0].kind else {
+        let what = "the first argument of `data`";
+        let found = values[0].described();
+        let expected = "the name of a file in quotes";
+        ev.reports.tell(types::mismatch(what, expected, &found, values[0].span));
+        return None;
+    };
+    let unit = match values.get(1) {
+        Some(unit) => {
+            let what = "the unit of `data`";
+            let metres = check::number(ev, unit, Dimension::LENGTH, what)?;
+            check::in_range(ev, unit, metres, &Range::above(0.0), Dimension::LENGTH, what)?;
+            neat(metres / 1e-9)
+        }
+        None => 1.0,
+    };
+    let asked = values[0].span;
+    let path = ev.folder(*file).join(&**text);
+    let file = ev.data.get(&ev.reports, &path, text, asked)?;
+    if !ev.spend_many(file.cost(unit), span) {
+        return None;
+    }
+    let columns = file.columns(&ev.reports, text, unit, asked)?;
+    spectra::seen(ev, &columns.value, span)?;
+    let value = Spectrum::Table(columns.value);
+    Some(match columns.k {
+        Some(k) => ValueKind::Index { n: value, k: Some(Spectrum::Table(k)) },
+        None => ValueKind::Spectrum(value, Dimension::NONE),
+    })
+}
+
+/// Values that computing a smooth spectrum counts as.
+const UPSAMPLING: usize = 100;
+
+fn upsample(ev: &Evaluator, value: &Value, span: Span) -> Option<ValueKind> {
+    let what = "the argument of `upsample`";
+    let ValueKind::Colour(components, dimension) = value.kind else {
+        let expected = "a colour such as `rgb(0.8, 0.4, 0.2)`";
+        ev.reports.tell(types::mismatch(what, expected, &value.described(), value.span));
+        return None;
+    };
+    for component in components {
+        check::in_range(ev, value, component, &Range::at_least(0.0), dimension, what)?;
+    }
+    if !ev.spend_many(UPSAMPLING, span) {
+        return None;
+    }
+    let spectrum = match dimension.is_light() {
+        true => optics::upsampled_light(components),
+        false => optics::upsampled_reflectance(components),
+    };
+    Some(ValueKind::Spectrum(Spectrum::Table(spectrum), dimension))
 }
 
 fn moved(ev: &Evaluator, values: &[Value], span: Span) -> Option<DVec3> {

@@ -4,6 +4,7 @@ mod arithmetic;
 mod ast;
 mod check;
 mod comments;
+mod data_file;
 mod defaults;
 mod difference;
 mod errors;
@@ -18,9 +19,12 @@ mod names;
 mod order;
 pub mod outline;
 mod parse;
+mod ranges;
 mod report;
 mod resolve;
 mod scan;
+mod shelves;
+mod spectra;
 mod unused;
 mod value;
 pub mod words;
@@ -34,6 +38,7 @@ use crate::scene::schema::{Kind, Type};
 use crate::scene::{At, KINDS, Scene};
 
 pub use comments::comments;
+use data_file::DataFiles;
 use difference::Composer;
 use eval::{Evaluator, FileFacts};
 use resolve::{Plan, TOP};
@@ -85,6 +90,7 @@ pub fn compile(
     let units = import::gather(path, text, library, sources, &mut ev);
     let main = units[0].id;
     let sets = read_sets(sets, main, path, &mut ev, units[0].tree.unit, sources);
+    ev.data = DataFiles::new(library, sources);
     let mut plan = resolve::plan(&ev, &units);
     implicit_render(&mut plan, path, &units[0].tree.items, &units[0].tree.broken_words);
     let outline = outline::outline(&units, &sets);
@@ -95,6 +101,7 @@ pub fn compile(
     unused::check(&ev, &plan);
     let renders = if readable { lowered } else { Vec::new() };
     let reports = std::mem::take(&mut ev.reports);
+    std::mem::take(&mut ev.data).hand_over(sources);
     let items = units.iter().flat_map(|unit| &unit.tree.items);
     let setups = items.filter_map(|item| match item {
         ast::Item::Setup(setup) => Some(setup.name.text.to_string()),

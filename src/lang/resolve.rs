@@ -199,7 +199,7 @@ fn action(
 }
 
 struct Planner<'a> {
-    ev: &'a Evaluator,
+    ev: &'a Evaluator<'a>,
     plan: Plan,
     /// What each scope builds on, by name, until all names are known.
     bases: Vec<(Vec<Word>, Span)>,

@@ -10,7 +10,8 @@ use super::eval::Evaluator;
 use super::functions;
 use super::names::mentioned;
 use super::resolve::Plan;
-use super::value::{Binding, Bound, Env, Value};
+use super::spectra;
+use super::value::{Binding, Bound, Env, Value, ValueKind};
 use crate::scene::KINDS;
 use crate::scene::schema::{Record, Type};
 
@@ -39,7 +40,10 @@ pub fn check(ev: &Evaluator, plan: &Plan) {
             let binding = Rc::new(Binding { name: param.clone(), what });
             inner.0.names.borrow_mut().insert(param.text.clone(), binding);
         }
-        ev.eval(&said.value, &inner);
+        let value = ev.eval(&said.value, &inner);
+        if let ValueKind::Record(record) = &value.kind {
+            spectra::from_record(ev, record, value.span);
+        }
         words(ev, &said.value, &inner, &known);
     }
 }

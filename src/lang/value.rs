@@ -5,8 +5,10 @@ use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::ast::{Expr, Let, Word};
+use super::ast::{Expr, Let, Quantity, Word};
+use crate::data::Datum;
 use crate::diag::{FileId, Span};
+use crate::math::Spectrum;
 use crate::math::units::{Dimension, Unit};
 use crate::scene::Step;
 
@@ -33,6 +35,17 @@ pub enum ValueKind {
     },
     /// Linear components in base units.
     Colour([f64; 3], Dimension),
+    /// Values by wavelength, in base units: a table or a formula.
+    Spectrum(Spectrum, Dimension),
+    /// An index of refraction n + ik by wavelength; without k it is real.
+    Index {
+        /// Its real part.
+        n: Spectrum,
+        /// Its imaginary part.
+        k: Option<Spectrum>,
+    },
+    /// A medium from a shelf.
+    Matter(&'static Datum),
     /// Two or three components; bare ones count in the unit of `file`.
     Vector {
         /// The components.
@@ -77,8 +90,10 @@ pub struct RecordValue {
 /// A field of a record, not computed before it lands.
 #[derive(Clone, Debug)]
 pub struct FieldValue {
-    /// Its word.
+    /// Its word, as written.
     pub key: Word,
+    /// A number in place of the word: a wavelength.
+    pub quantity: Option<Quantity>,
     /// What it is.
     pub value: Thunk,
 }
@@ -189,6 +204,11 @@ impl Value {
             ValueKind::Number { dimension, .. } => dimension.name(),
             ValueKind::Colour(_, dimension) if *dimension == Dimension::NONE => "a colour".into(),
             ValueKind::Colour(_, dimension) => format!("{} in colour", dimension.name()),
+            ValueKind::Spectrum(_, Dimension::NONE) => "a spectrum".into(),
+            ValueKind::Spectrum(_, dimension) => format!("{} by wavelength", dimension.name()),
+            ValueKind::Index { k: None, .. } => "an index of refraction".into(),
+            ValueKind::Index { .. } => "a complex index of refraction".into(),
+            ValueKind::Matter(datum) => format!("the medium `{}`", datum.word),
             ValueKind::Vector { components, .. } if components.len() == 2 => "a pair".into(),
             ValueKind::Vector { .. } => "a vector".into(),
             ValueKind::Text { .. } => "a text".into(),

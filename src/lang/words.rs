@@ -64,6 +64,21 @@ pub const KEYWORDS: &[Keyword] = &[
 /// The functions of the language.
 pub const FUNCTIONS: &[Function] = &[
     Function {
+        word: "blackbody",
+        params: &[&["temperature"]],
+        doc: "The light of a black body: its spectral radiance, in W/m^2/sr for each length of wavelength.",
+    },
+    Function {
+        word: "complex",
+        params: &[&["n", "k"]],
+        doc: "A complex index of refraction n + ik, of numbers, colours or spectra.",
+    },
+    Function {
+        word: "data",
+        params: &[&["file"], &["file", "unit"]],
+        doc: "A spectrum from a text file: rows of a wavelength and a value, or of a wavelength, n and k. Wavelengths are in nm, or in the unit.",
+    },
+    Function {
         word: "move",
         params: &[&["x", "y", "z"], &["vector"]],
         doc: "A step of `place` that moves by lengths along the axes.",
@@ -83,6 +98,11 @@ pub const FUNCTIONS: &[Function] = &[
         word: "srgb",
         params: COLOUR,
         doc: "A colour as pictures on screens encode it, decoded to a linear one.",
+    },
+    Function {
+        word: "upsample",
+        params: &[&["colour"]],
+        doc: "A smooth spectrum of a colour: of a light one of filtered daylight, of anything else one that is no greater than 1 if the colour is not [Jakob19].",
     },
 ];
 

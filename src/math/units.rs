@@ -36,6 +36,18 @@ impl Dimension {
     pub const IRRADIANCE: Self = Self([-2, 0, 0, 0, 0, 1, 0, 0]);
     /// Radiance, in W/m²/sr.
     pub const RADIANCE: Self = Self([-2, 0, -1, 0, 0, 1, 0, 0]);
+    /// Area, in m².
+    pub const AREA: Self = Self([2, 0, 0, 0, 0, 0, 0, 0]);
+    /// The square of an area, in m⁴.
+    pub const SQUARED_AREA: Self = Self([4, 0, 0, 0, 0, 0, 0, 0]);
+    /// What happens along a length, in 1/m.
+    pub const COEFFICIENT: Self = Self([-1, 0, 0, 0, 0, 0, 0, 0]);
+    /// Radiance for each length of wavelength, in W/m²/sr/m.
+    pub const SPECTRAL_RADIANCE: Self = Self([-3, 0, -1, 0, 0, 1, 0, 0]);
+    /// Irradiance for each length of wavelength, in W/m²/m.
+    pub const SPECTRAL_IRRADIANCE: Self = Self([-3, 0, 0, 0, 0, 1, 0, 0]);
+    /// Power for each length of wavelength, in W/m.
+    pub const SPECTRAL_POWER: Self = Self([-1, 0, 0, 0, 0, 1, 0, 0]);
 
     /// The dimension of a product.
     pub fn times(self, other: Self) -> Self {
@@ -47,13 +59,18 @@ impl Dimension {
         Self(std::array::from_fn(|i| self.0[i].saturating_sub(other.0[i])))
     }
 
+    /// Whether it measures light: a power is part of it.
+    pub fn is_light(self) -> bool {
+        self.0[5] > 0
+    }
+
     /// The dimension of a power.
     pub fn power(self, exponent: i8) -> Self {
         Self(self.0.map(|e| e.saturating_mul(exponent)))
     }
 
     /// What a person calls it, with its article: "a length", "an irradiance"; dimensions without
-    /// a name of their own by their unit: "a quantity in W/m".
+    /// a name of their own by their unit: "a quantity in m W".
     pub fn name(self) -> String {
         let named = [
             (Self::NONE, "a plain number"),
@@ -67,8 +84,12 @@ impl Dimension {
             (Self::EXPOSURE, "an exposure"),
             (Self::IRRADIANCE, "an irradiance"),
             (Self::RADIANCE, "a radiance"),
-            (Self::LENGTH.power(2), "an area"),
-            (Self::LENGTH.power(-1), "a coefficient per length"),
+            (Self::SPECTRAL_RADIANCE, "a spectral radiance"),
+            (Self::SPECTRAL_IRRADIANCE, "a spectral irradiance"),
+            (Self::SPECTRAL_POWER, "a spectral power"),
+            (Self::AREA, "an area"),
+            (Self::SQUARED_AREA, "the square of an area"),
+            (Self::COEFFICIENT, "a coefficient per length"),
         ];
         match named.iter().find(|(dimension, _)| *dimension == self) {
             Some((_, name)) => (*name).to_string(),
@@ -154,6 +175,8 @@ mod tests {
         assert_eq!(Dimension::NONE.unit(), "");
         assert_eq!(Dimension::POWER.over(Dimension::LENGTH.power(2)), Dimension::IRRADIANCE);
         assert_eq!(Dimension::IRRADIANCE.name(), "an irradiance");
-        assert_eq!(Dimension::POWER.over(Dimension::LENGTH).name(), "a quantity in W/m");
+        assert_eq!(Dimension::POWER.times(Dimension::LENGTH).name(), "a quantity in m W");
+        let spectral = Dimension::RADIANCE.over(Dimension::LENGTH);
+        assert_eq!(spectral.name(), "a spectral radiance");
     }
 }

@@ -1,6 +1,5 @@
 //! Lights: what shines without being the surface of an object.
 
-use super::schema::Range;
 use super::vocabulary::vocabulary;
 use super::{Direction, Irradiance, Radiance};
 
@@ -11,14 +10,14 @@ vocabulary! {
         /// seen behind the scene, and lights nothing.
         "constant" => Constant {
             /// What is seen of it.
-            radiance: Radiance, Range::at_least(0.0);
+            radiance: Radiance;
         }
         /// Parallel light from infinitely far away.
         "directional" => Directional {
             /// Where the light goes.
             direction: Direction;
             /// On a surface square to it.
-            irradiance: Irradiance, Range::at_least(0.0);
+            irradiance: Irradiance;
         }
     }
 }

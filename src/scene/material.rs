@@ -1,6 +1,5 @@
 //! Materials: what a surface does with light.
 
-use super::schema::Range;
 use super::vocabulary::vocabulary;
 use super::{Radiance, Reflectance};
 
@@ -10,9 +9,9 @@ vocabulary! {
         /// Lambert's: the same radiance in every direction.
         "diffuse" => Diffuse {
             /// The part of the light that is scattered back.
-            albedo: Reflectance, Range::at_least(0.0);
+            albedo: Reflectance;
             /// What the front side shines of itself. A surface with an emission is a lamp.
-            emission: Radiance = "0 W/m^2/sr", Range::at_least(0.0);
+            emission: Radiance = "0 W/m^2/sr";
         }
     }
 }

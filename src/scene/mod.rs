@@ -13,6 +13,7 @@ mod material;
 mod object;
 mod sampler;
 pub mod schema;
+pub mod spectral;
 mod stop;
 mod values;
 mod vocabulary;
@@ -28,7 +29,7 @@ pub use object::{Ambient, Disk, Mesh, Object, Plane, Quad, Sphere, Triangle};
 pub use sampler::{Independent, Sampler, Stratified};
 pub use stop::Stop;
 pub use values::{
-    Angle, Count, Direction, Exposure, FileName, Irradiance, Length, Number, Place, Point,
-    Radiance, Ref, Reflectance, Size, Step, Switch, Text, Time,
+    Angle, Coefficient, Count, Direction, Exposure, FileName, Flux, Index, Irradiance, Length,
+    Number, Place, Point, Radiance, Ref, Reflectance, Size, Step, Switch, Text, Time,
 };
 pub use whole::{Items, KINDS, KindOf, Named, Scene};

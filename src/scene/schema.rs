@@ -1,6 +1,7 @@
 //! What the checker, the lists and the reference know of the vocabulary: types as data.
 
 use super::At;
+use super::spectral::Spectral;
 use crate::math::Spectrum;
 use crate::math::units::Dimension;
 
@@ -25,8 +26,10 @@ pub enum Type {
     Size,
     /// A step of a `place`: `scale(…)`, `rotate(…)`, `move(…)`.
     Step,
-    /// A number or a colour, of a dimension.
-    Spectrum(Dimension),
+    /// A number, a colour or a spectrum of a quantity.
+    Spectrum(Spectral),
+    /// An index of refraction, real or complex.
+    Index,
     /// One of some words.
     Words(&'static Words),
     /// One of some variants, each a word with a record.
@@ -192,6 +195,8 @@ pub enum Checked {
     Step(super::Step),
     /// Of `Spectrum`, in base units.
     Spectrum(Spectrum),
+    /// Of `Index`: n, and k of n + ik.
+    Index(Spectrum, Spectrum),
     /// Of `Words`: which.
     Word(usize),
     /// Of `OneOf`: which, and its fields in the order of the schema.

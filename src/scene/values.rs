@@ -7,18 +7,19 @@ use glam::{DAffine3, DMat3, DVec3};
 use serde::{Serialize, Serializer};
 
 use super::schema::{Checked, Type, Vocabulary, unchecked};
+use super::spectral::Spectral;
 use crate::math::units::Dimension;
 use crate::math::{Spectrum, Transform};
 
-/// Declares newtypes over f64 or [`Spectrum`]: name, dimension, doc.
+/// Declares newtypes over f64 or [`Spectrum`]: name, dimension or quantity, doc.
 macro_rules! quantities {
-    ($($(#[$doc:meta])* $name:ident: $variant:ident($inner:ty), $dimension:expr;)*) => {$(
+    ($($(#[$doc:meta])* $name:ident: $variant:ident($inner:ty), $of:expr;)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Debug, PartialEq, Serialize)]
         pub struct $name(pub $inner);
 
         impl Vocabulary for $name {
-            const TYPE: Type = Type::$variant($dimension);
+            const TYPE: Type = Type::$variant($of);
 
             fn lower(checked: &Checked) -> Self {
                 match checked {
@@ -42,11 +43,35 @@ quantities! {
     /// An exposure in stops: +1 doubles.
     Exposure: Number(f64), Dimension::EXPOSURE;
     /// The part of light a surface gives back.
-    Reflectance: Spectrum(Spectrum), Dimension::NONE;
+    Reflectance: Spectrum(Spectrum), Spectral::Reflectance;
+    /// What happens to light along a way, in 1/m.
+    Coefficient: Spectrum(Spectrum), Spectral::Coefficient;
     /// Radiance in W/m²/sr.
-    Radiance: Spectrum(Spectrum), Dimension::RADIANCE;
+    Radiance: Spectrum(Spectrum), Spectral::Radiance;
     /// Irradiance in W/m².
-    Irradiance: Spectrum(Spectrum), Dimension::IRRADIANCE;
+    Irradiance: Spectrum(Spectrum), Spectral::Irradiance;
+    /// Flux in W.
+    Flux: Spectrum(Spectrum), Spectral::Flux;
+}
+
+/// An index of refraction n + ik.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Index {
+    /// How much slower light is than in a vacuum; above 0.
+    pub n: Spectrum,
+    /// How fast it fades; 0 or more, and 0 where all of it passes.
+    pub k: Spectrum,
+}
+
+impl Vocabulary for Index {
+    const TYPE: Type = Type::Index;
+
+    fn lower(checked: &Checked) -> Self {
+        match checked {
+            Checked::Index(n, k) => Self { n: n.clone(), k: k.clone() },
+            other => unchecked("an index", other),
+        }
+    }
 }
 
 /// Declares newtypes read from one variant of [`Checked`]: name, type, how.

@@ -1,7 +1,8 @@
-//! The words of the language itself: keywords, functions, units, and a number.
+//! The words of the language itself: keywords, functions, units, and a number; beside them, in
+//! the overview, spectra.
 
 use super::types::tidy;
-use super::{block, strong};
+use super::{block, spectra, strong};
 use crate::diag::print::Look;
 use crate::lang::words::{FUNCTIONS, Function, KEYWORDS, Keyword, PI};
 use crate::math::units::{self, UNITS, Unit};
@@ -13,7 +14,8 @@ const PI_DOC: &str = "The number 3.14159…: `irradiance: pi * W/m^2`.";
 pub fn words() -> impl Iterator<Item = &'static str> {
     let keywords = KEYWORDS.iter().map(|keyword| keyword.word);
     let functions = FUNCTIONS.iter().map(|function| function.word);
-    keywords.chain(functions).chain([PI]).chain(UNITS.iter().map(|unit| unit.word))
+    let units = UNITS.iter().map(|unit| unit.word);
+    keywords.chain(functions).chain([PI]).chain(spectra::words()).chain(units)
 }
 
 /// What the word is, if it is one of them.
@@ -37,7 +39,10 @@ pub fn overview(look: Look) -> String {
     let row = |word, form: &str| format!("  {}  {form}\n", strong(word, width, look));
     text.extend(KEYWORDS.iter().map(|keyword| row(keyword.word, keyword.form)));
     text.extend(FUNCTIONS.iter().map(|function| row(function.word, &forms(function))));
-    text + &row(PI, "the number 3.14159…") + &row("units", "`scn list units` shows them")
+    text.push_str(&row(PI, "the number 3.14159…"));
+    text.extend(spectra::rows().iter().map(|(word, form)| row(word, form)));
+    text + &row("units", "`scn list units` shows them")
+        + &row("types", "`scn list types` shows them")
 }
 
 pub fn keywords(look: Look) -> String {

@@ -41,7 +41,11 @@ pub fn form(ty: Type) -> String {
         Type::Direction => "direction: (x, y, z), or x, -x, y, -y, z, -z".to_string(),
         Type::Size => "pair of whole numbers (columns, rows)".to_string(),
         Type::Step => "scale(…), rotate(…) or move(…)".to_string(),
-        Type::Spectrum(dimension) => format!("number or colour{}", unit(dimension)),
+        Type::Spectrum(spectral) => {
+            let unit = unit(spectral.dimension());
+            format!("{}: number, colour or spectrum{unit}", spectral.word())
+        }
+        Type::Index => "index of refraction: number, colour, spectrum or complex".to_string(),
         Type::Words(words) => {
             let all: Vec<_> = words.all.iter().map(|(word, _)| *word).collect();
             format!("one of {}", all.join(", "))
@@ -63,7 +67,10 @@ fn range(field: &Field) -> Option<String> {
     let number = |x: f64| {
         if angle && x != 0.0 { format!("{} deg", x.to_degrees()) } else { x.to_string() }
     };
-    let Range { low, high } = field.range;
+    let Range { low, high } = match field.ty {
+        Type::Spectrum(spectral) if field.range == Range::ANY => spectral.range(),
+        _ => field.range,
+    };
     if let (Bound::Inclusive(low), Bound::Inclusive(high)) = (low, high) {
         return Some(format!("from {} to {}", number(low), number(high)));
     }

@@ -2,23 +2,24 @@
 
 mod choices;
 mod quantities;
+mod spectral;
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::ast::Word;
-use super::errors::{name as names, types};
+use super::errors::{name as names, syntax, types};
 use super::eval::Evaluator;
 use super::value::{FieldValue, RecordValue, Value, ValueKind};
-use super::{arithmetic, defaults, limits};
+use super::{defaults, limits};
 use crate::diag::{FileId, Span};
-use crate::math::Spectrum;
 use crate::math::units::Dimension;
 use crate::scene::schema::{self, Checked, Range, Type, Variants};
 use crate::scene::{At, FileName};
-pub use quantities::{coordinates, direction, number, point};
-use quantities::{count, in_range};
+use quantities::count;
+pub use quantities::{coordinates, direction, in_range, number, point};
+pub use spectral::complex;
 
 /// The declarations of a render before they are checked: kind and name → value.
 pub type Declared = BTreeMap<(&'static str, Arc<str>), (Word, Value)>;
@@ -28,7 +29,7 @@ pub type Item = (&'static str, At<String>, At<Checked>);
 
 /// Checks the values of one render.
 pub struct Checker<'a> {
-    ev: &'a Evaluator,
+    ev: &'a Evaluator<'a>,
     declared: &'a Declared,
     /// Values that stood where a name was expected, as declarations of their own.
     hoisted: RefCell<Vec<Item>>,
@@ -41,7 +42,7 @@ pub struct Checker<'a> {
 
 impl<'a> Checker<'a> {
     /// A checker for a render with these declarations.
-    pub fn new(ev: &'a Evaluator, declared: &'a Declared) -> Self {
+    pub fn new(ev: &'a Evaluator<'a>, declared: &'a Declared) -> Self {
         Self {
             ev,
             declared,
@@ -161,7 +162,8 @@ impl<'a> Checker<'a> {
                     None
                 }
             },
-            Type::Spectrum(dimension) => self.spectrum(value, *dimension, range, &what),
+            Type::Spectrum(spectral) => spectral::spectrum(ev, value, *spectral, range, &what),
+            Type::Index => spectral::index(ev, value, range, &what),
             Type::Words(words) => match &value.kind {
                 ValueKind::Word(word) => {
                     let found = words.all.iter().position(|(known, _)| *known == &*word.text);
@@ -218,53 +220,6 @@ impl<'a> Checker<'a> {
         }
     }
 
-    fn spectrum(
-        &self,
-        value: &Value,
-        dim: Dimension,
-        range: &Range,
-        what: &str,
-    ) -> Option<Checked> {
-        let ev = self.ev;
-        let quantity = arithmetic::quantity(ev, value);
-        match &quantity.kind {
-            ValueKind::Colour(components, found) if *found == dim => {
-                for component in components {
-                    in_range(ev, value, *component, range, dim, what)?;
-                }
-                Some(Checked::Spectrum(Spectrum::Rgb(*components)))
-            }
-            ValueKind::Colour(_, Dimension::NONE) => {
-                ev.reports.tell(types::colour_without_unit(what, dim, value.span));
-                None
-            }
-            ValueKind::Colour(_, found) => {
-                let (expected, found) = (dim.name(), found.name());
-                ev.reports.tell(types::dimension(what, &expected, &found, value.span));
-                None
-            }
-            ValueKind::Number { .. } => {
-                let x = number(ev, &quantity, dim, what)?;
-                in_range(ev, &quantity, x, range, dim, what)?;
-                Some(Checked::Spectrum(Spectrum::Constant(x)))
-            }
-            ValueKind::Broken => None,
-            _ => {
-                let expected = match dim {
-                    Dimension::NONE => "a number or a colour".to_string(),
-                    _ => format!("{} or a colour of it", dim.name()),
-                };
-                ev.reports.tell(types::mismatch(
-                    what,
-                    &expected,
-                    &quantity.described(),
-                    value.span,
-                ));
-                None
-            }
-        }
-    }
-
     fn lenient(&self, span: Span) -> bool {
         self.lenient_beyond.is_some_and(|main| span.file != main)
     }
@@ -277,6 +232,11 @@ impl<'a> Checker<'a> {
         let mut all = BTreeMap::new();
         let mut whole = !found.partial;
         for field in &found.fields {
+            if field.quantity.is_some() {
+                self.ev.reports.tell(syntax::number_key(&field.key.text, field.key.span));
+                whole = false;
+                continue;
+            }
             let place = format!("{place}.{}", field.key.text);
             let value = self.field_value(field, element, &Range::ANY, &place);
             let key = At::new(field.key.text.to_string(), field.key.span);
@@ -299,7 +259,7 @@ impl<'a> Checker<'a> {
     }
 
     /// The fields of a record in the order of the schema.
-    fn fields(
+    pub fn fields(
         &self,
         found: &RecordValue,
         schema: &'static schema::Record,
@@ -314,7 +274,10 @@ impl<'a> Checker<'a> {
         };
         for (i, field) in found.fields.iter().enumerate() {
             let earlier = found.fields[..i].iter().find(|e| e.key.text == field.key.text);
-            if let Some(earlier) = earlier {
+            if field.quantity.is_some() {
+                ev.reports.tell(syntax::number_key(&field.key.text, field.key.span));
+                whole = false;
+            } else if let Some(earlier) = earlier {
                 ev.reports.tell(names::field_twice(&field.key, earlier.key.span, &owner));
                 whole = false;
             } else if !schema.fields.iter().any(|known| known.word == &*field.key.text) {
@@ -393,9 +356,9 @@ impl<'a> Checker<'a> {
     /// How a value of a type may look.
     fn example(&self, ty: &Type, range: &Range) -> String {
         match ty {
-            Type::Number(dimension) | Type::Spectrum(dimension) => {
-                types::example(*dimension, range)
-            }
+            Type::Number(dimension) => types::example(*dimension, range),
+            Type::Spectrum(spectral) => types::example(spectral.dimension(), range),
+            Type::Index => "1.5".into(),
             Type::Count => "1".into(),
             Type::Switch => "on".into(),
             Type::Text => "\"…\"".into(),

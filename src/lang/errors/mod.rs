@@ -4,6 +4,7 @@ pub mod import;
 pub mod more;
 pub mod name;
 pub mod render;
+pub mod spectrum;
 pub mod syntax;
 pub mod types;
 

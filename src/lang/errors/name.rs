@@ -7,6 +7,7 @@ use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::ast::Word;
 use crate::math::units;
 use crate::scene::KINDS;
+use crate::scene::spectral::RECORDS;
 
 /// How many names a message lists at most.
 const LISTED: usize = 18;
@@ -100,6 +101,34 @@ pub fn unknown_value(found: &str, span: Span, defined: &[Arc<str>]) -> Diagnosti
     }
 }
 
+/// A name with a dot whose first word is no shelf.
+pub fn unknown_shelf(word: &Word, all: &[&str]) -> Diagnostic {
+    let headline = format!("there is no shelf called `{}`", word.text);
+    let told = Diagnostic::error(Code::NAME_UNKNOWN_DATUM, headline)
+        .label(word.span, "a name with a dot is a datum on a shelf");
+    offer(told, &word.text, word.span, all, "shelves are")
+}
+
+/// A datum that a shelf does not have.
+pub fn unknown_datum(shelf: &str, found: &str, all: &[&str], span: Span) -> Diagnostic {
+    let headline = format!("there is no `{found}` on the shelf `{shelf}`");
+    let told = Diagnostic::error(Code::NAME_UNKNOWN_DATUM, headline).label(span, "not there");
+    let told = offer(told, found, span, all, "it has");
+    match told.mends.is_empty() && all.len() > LISTED {
+        true => told.help(format!("`scn list {shelf}` shows what it has")),
+        false => told,
+    }
+}
+
+/// A dot after the name of a value.
+pub fn dot_after_value(word: &Word, defined: Span, span: Span) -> Diagnostic {
+    let headline = format!("`{}` is a value, and has no parts to be named", word.text);
+    Diagnostic::error(Code::NAME_UNKNOWN_DATUM, headline)
+        .label(span, "a name with a dot is a datum on a shelf")
+        .label(defined, "defined here")
+        .help(format!("write `{}` alone", word.text))
+}
+
 /// A function that does not exist.
 pub fn unknown_function(found: &str, span: Span, defined: &[&str]) -> Diagnostic {
     let mut all = crate::lang::functions::ALL.to_vec();
@@ -111,15 +140,12 @@ pub fn unknown_function(found: &str, span: Span, defined: &[&str]) -> Diagnostic
         crate::scene::schema::Type::OneOf(v) => v.all.iter().any(|record| record.word == found),
         _ => false,
     });
-    if variant {
+    if variant || RECORDS.iter().any(|record| record.word == found) {
         return told.help(format!("fields stand in braces: `{found} {{ … }}`"));
     }
     match found {
         "translate" => told.help("write `move`").mend("write `move`", span, "move"),
         "color" | "colour" => told.help("write `rgb`").mend("write `rgb`", span, "rgb"),
-        "spectrum" | "blackbody" | "sellmeier" | "cauchy" | "data" | "complex" | "upsample" => {
-            told.help("spectra are numbers, `rgb(…)` or `srgb(…)` in this version")
-        }
         _ => offer(told, found, span, &all, "functions are"),
     }
 }

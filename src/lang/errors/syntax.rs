@@ -298,8 +298,7 @@ pub fn number_key(found: &str, span: Span) -> Diagnostic {
     let headline = format!("`{found}` is no field: fields are words");
     Diagnostic::error(Code::SYNTAX_UNEXPECTED, headline)
         .label(span, "expected a word")
-        .why("Spectra as tables over wavelengths are not part of this version.")
-        .help("write `rgb(…)` or a number for a spectrum")
+        .help("write a field's word; wavelengths stand in `spectrum { … }` alone")
 }
 
 /// `material.albedo: …` inside a record.

@@ -13,6 +13,9 @@ fn units_of(dimension: Dimension) -> Vec<String> {
     match dimension {
         Dimension::LENGTH => ["m", "cm", "mm"].map(String::from).to_vec(),
         Dimension::ANGLE => vec!["deg".into(), "rad".into()],
+        // Coefficients of dispersion, in the units of catalogues.
+        Dimension::AREA => vec!["um^2".into()],
+        Dimension::SQUARED_AREA => vec!["um^4".into()],
         _ => {
             let known = UNITS.iter().filter(|unit| unit.dimension == dimension);
             let known: Vec<_> = known.map(|unit| unit.word.to_string()).take(3).collect();
@@ -76,17 +79,24 @@ pub fn missing_unit(what: &str, dimension: Dimension, value: f64, span: Span) ->
     told
 }
 
-/// A bare colour where a unit matters.
-pub fn colour_without_unit(what: &str, dimension: Dimension, span: Span) -> Diagnostic {
-    let unit = dimension.unit().replacen("1/", "m^0/", 1);
-    let name = dimension.name();
-    Diagnostic::error(
-        Code::TYPE_MISSING_UNIT,
-        format!("{what} is {name}: this colour needs a unit"),
-    )
-    .label(span, "a unit belongs after this")
-    .help(format!("write `* {unit}` after it"))
-    .mend(format!("write `* {unit}`"), span.after(), format!(" * {unit}"))
+/// A bare colour, or a bare spectrum, where a unit matters.
+pub fn spectrum_without_unit(
+    what: &str,
+    dimension: Dimension,
+    colour: bool,
+    span: Span,
+) -> Diagnostic {
+    let unit = dimension.unit();
+    let after = match unit.strip_prefix("1/") {
+        Some(below) => format!("/ {below}"),
+        None => format!("* {unit}"),
+    };
+    let (name, this) = (dimension.name(), if colour { "colour" } else { "spectrum" });
+    let headline = format!("{what} is {name}: this {this} needs a unit");
+    Diagnostic::error(Code::TYPE_MISSING_UNIT, headline)
+        .label(span, "a unit belongs after this")
+        .help(format!("write `{after}` after it"))
+        .mend(format!("write `{after}`"), span.after(), format!(" {after}"))
 }
 
 /// Beyond its bounds.
@@ -212,7 +222,7 @@ pub fn no_arithmetic(found: &str, span: Span, operator: Span) -> Diagnostic {
     Diagnostic::error(Code::TYPE_NO_ARITHMETIC, format!("no arithmetic is made with {found} here"))
         .label(operator, "this operator")
         .label(span, found)
-        .why("Numbers and colours have sums, products and quotients; vectors have sums, and products with a number.")
+        .why("Numbers, colours and spectra have sums, products and quotients; vectors have sums, and products with a number.")
 }
 
 /// Overflow.

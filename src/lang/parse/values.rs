@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::build::{Builder, code};
 use super::{Pair, Rule, explain};
 use crate::diag::Span;
-use crate::lang::ast::{Entry, Expr, ExprKind, Operator, Record, Word};
+use crate::lang::ast::{Entry, Expr, ExprKind, Operator, Quantity, Record, Word};
 use crate::lang::errors::{name, syntax};
 use crate::math::units;
 
@@ -169,7 +169,7 @@ impl Builder<'_> {
         let Some(unit) = inner.next() else {
             return ExprKind::Number { value, unit: None };
         };
-        if unit.as_rule() == Rule::unknown_unit {
+        if matches!(unit.as_rule(), Rule::unknown_unit | Rule::strange_unit) {
             self.tell(name::unknown_unit(unit.as_str(), self.span(&unit)));
             return ExprKind::Broken;
         }
@@ -247,12 +247,15 @@ impl Builder<'_> {
     fn entry(&mut self, pair: Pair, entries: &mut Vec<Entry>) -> bool {
         let mut inner = pair.into_inner();
         let key = inner.next().expect("a key");
-        if key.as_rule() == Rule::quantity {
-            let span = self.span(&key);
-            self.tell(syntax::number_key(key.as_str().trim_end(), span));
-            return false;
-        }
-        let key = self.word(key);
+        let (key, quantity) = match key.as_rule() {
+            Rule::wavelength => {
+                let span = self.span(&key);
+                let text = Arc::from(code(key.as_str()));
+                let ExprKind::Number { value, unit } = self.quantity(key) else { return false };
+                (Word { text, span }, Some(Quantity { value, unit }))
+            }
+            _ => (self.word(key), None),
+        };
         for part in inner {
             match part.as_rule() {
                 Rule::name => {
@@ -265,7 +268,7 @@ impl Builder<'_> {
                 }
                 Rule::value => {
                     let value = Arc::new(self.value(part));
-                    entries.push(Entry { key, value });
+                    entries.push(Entry { key, quantity, value });
                     return true;
                 }
                 _ => {}
