@@ -31,6 +31,7 @@ impl Finish<'_> {
                 / outcome.seconds.max(1e-9),
             peak_memory: files::memory::peak(),
             error: outcome.noise.map(|noise| Error::new(&noise, outcome.bound)),
+            limits: self.rule,
             stopped_by: picture::stopped_by(&outcome.stopped),
         });
         for text in picture::remarks(outcome, first) {

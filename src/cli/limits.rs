@@ -33,6 +33,12 @@ pub fn told(rule: &Rule) -> String {
     all.join(" or ")
 }
 
+/// Whether it is worth telling which one was reached.
+pub fn several(rule: &Rule) -> bool {
+    let limits = [rule.samples.is_some(), rule.time.is_some(), rule.error.is_some()];
+    limits.into_iter().filter(|limit| *limit).count() > 1
+}
+
 /// A part in percent, to three digits.
 pub fn percent(part: f64) -> String {
     let percent = part * 100.0;

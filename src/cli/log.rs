@@ -55,6 +55,7 @@ pub enum Event {
         rays_per_second: f64,
         peak_memory: Option<u64>,
         error: Option<Error>,
+        limits: Rule,
         stopped_by: &'static str,
     },
     /// Something about the picture that is no fault of the scene.
@@ -189,6 +190,7 @@ fn human(event: &Event) -> String {
             seconds,
             peak_memory,
             error,
+            limits,
             stopped_by,
             samples,
             ..
@@ -202,7 +204,7 @@ fn human(event: &Event) -> String {
             if let Some(bytes) = peak_memory {
                 text.push_str(&line("memory", &format!("{} at most", size(*bytes))));
             }
-            if ["time", "error"].contains(stopped_by) {
+            if limits::several(limits) || ["time", "error"].contains(stopped_by) {
                 let reached = counted(*samples, "ray");
                 text.push_str(&line(
                     "stopped",
@@ -304,6 +306,7 @@ mod tests {
                 rays_per_second: 2.1e6,
                 peak_memory: Some(40_000_000),
                 error: Some(Error { error: 0.0234, low: 0.02, high: 0.031, bound: false }),
+                limits: Rule { samples: Some(16), ..Rule::default() },
                 stopped_by: "samples",
             },
             Event::Written { render: "a".into(), file: "out/w01/a.exr".into() },
