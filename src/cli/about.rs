@@ -59,6 +59,36 @@ impl About {
             set: options.set.clone(),
         }
     }
+
+    /// In what its samples are others than those of `other`: "seed 1, not 2" for each.
+    pub fn differences(&self, other: &Self) -> Vec<String> {
+        let mut all = Vec::new();
+        let mut differ = |what: &str, of: &dyn Fn(&Self) -> String| {
+            let (mine, others) = (of(self), of(other));
+            if mine != others {
+                all.push(format!("{what}{mine}, not {others}"));
+            }
+        };
+        differ("render ", &|it| format!("`{}`", it.render));
+        differ("seed ", &|it| it.seed.to_string());
+        differ("", &|it| match it.size {
+            [width, height] => format!("a film of {width} × {height}"),
+        });
+        differ("scale ", &|it| it.scale.to_string());
+        differ("", &|it| match it.crop {
+            None => "the whole film".to_string(),
+            Some(crop) => format!("the crop {}", comma(crop)),
+        });
+        // The film is part of the scene, and told above.
+        if self.light_hash != other.light_hash && self.size == other.size {
+            differ("", &|it| format!("the scene `{}` of hash {:.12}…", it.scene, it.light_hash));
+            differ("", &|it| match &*it.set {
+                [] => "made without --set".to_string(),
+                all => format!("made with --set `{}`", all.join("` --set `")),
+            });
+        }
+        all
+    }
 }
 
 /// x0,y0,x1,y1, as --crop has it.
@@ -82,5 +112,11 @@ impl Frame {
     pub fn of(world: &World) -> Self {
         let film = &world.film;
         Self { film: film.size, window: film.window, light_unit: world.light_unit }
+    }
+
+    /// Whether it can be of a world: to be asked of what was read from a file.
+    pub fn is_sound(&self) -> bool {
+        let [width, height] = self.film;
+        self.window.x1 <= width && self.window.y1 <= height && self.light_unit > 0.0
     }
 }

@@ -27,6 +27,8 @@ pub struct Bar {
     begun: AtomicU64,
     /// When the bar may change next, in milliseconds on the clock.
     next: AtomicU64,
+    /// What was done when it began: by an earlier part of the work.
+    before: AtomicU64,
     bar: Mutex<ProgressBar>,
 }
 
@@ -38,6 +40,7 @@ impl Bar {
             clock: Instant::now(),
             begun: AtomicU64::new(0),
             next: AtomicU64::new(PATIENCE),
+            before: AtomicU64::new(u64::MAX),
             bar: Mutex::new(ProgressBar::hidden()),
         }
     }
@@ -58,6 +61,7 @@ impl Bar {
         self.replace(bar);
         let now = self.now();
         self.begun.store(now, Ordering::Relaxed);
+        self.before.store(u64::MAX, Ordering::Relaxed);
         self.next.store(now + PATIENCE, Ordering::Relaxed);
     }
 
@@ -85,8 +89,9 @@ impl Progress for Bar {
         if !self.shown {
             return;
         }
+        let before = self.before.fetch_min(done, Ordering::Relaxed);
         let now = self.now();
-        if !due(&self.next, now, PAUSE) {
+        if !due(&self.next, now, PAUSE) || done <= before {
             return;
         }
         let bar = self.bar.lock().unwrap_or_else(PoisonError::into_inner);
@@ -96,7 +101,7 @@ impl Progress for Bar {
         bar.set_length(total);
         bar.set_position(done);
         let elapsed = (now - self.begun.load(Ordering::Relaxed)) as f64 / 1000.0;
-        let left = elapsed * total.saturating_sub(done) as f64 / done.max(1) as f64;
+        let left = elapsed * total.saturating_sub(done) as f64 / (done - before) as f64;
         bar.set_message(format!("about {} left", duration(left.ceil())));
     }
 }

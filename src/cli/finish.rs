@@ -1,6 +1,10 @@
 //! The end of a render: what came of it is told, and its pictures are written.
 
+use std::path::Path;
+
 use super::about::{About, Frame};
+use super::asked::Asked;
+use super::kept::{Kept, Kind};
 use super::log::{Error, Event, Log, shown};
 use super::output::Paths;
 use super::{End, picture, stop, terminal};
@@ -56,6 +60,34 @@ impl Finish<'_> {
             let render = self.about.render.clone();
             self.log.tell(&Event::Written { render, file: shown(&path) });
         }
+        Ok(())
+    }
+}
+
+impl Finish<'_> {
+    /// Writes its part: all samples of a shard.
+    pub fn write_part(
+        &self,
+        asked: &Asked,
+        outcome: &Outcome,
+        first: Option<&str>,
+        path: &Path,
+    ) -> Result<(), End> {
+        let kept = Kept {
+            kind: Kind::Part,
+            about: asked.about.clone(),
+            frame: self.frame.clone(),
+            limits: asked.limits,
+            slice: asked.slice,
+            seconds: outcome.seconds,
+            first: first.map(str::to_string),
+        };
+        kept.write(path, &outcome.taken).map_err(|failure| {
+            terminal::fail(&format!("the part `{}` {failure}", shown(path)));
+            End::NotDone
+        })?;
+        let render = self.about.render.clone();
+        self.log.tell(&Event::Written { render, file: shown(path) });
         Ok(())
     }
 }

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::limits::{self, percent};
 use super::options::Form;
+use super::shard::Slice;
 use super::terminal;
 use super::words::{counted, duration, grouped, rate, size};
 use crate::diag::harmless_text;
@@ -41,10 +42,17 @@ pub enum Event {
         crop: Option<[u64; 4]>,
         limits: Rule,
         seed: u64,
+        shard: Option<Slice>,
     },
+    /// It goes on from a checkpoint; from the first sample if there is none.
+    Resumed { render: String, file: String, samples: u64, seconds: f64 },
+    /// What is done is kept; `ended` if the render ends with it.
+    Checkpoint { render: String, file: String, samples: u64, seconds: f64, ended: bool },
     /// Rays are being followed: `done` of `total` samples, of all pixels together, are taken. Told
     /// when the first are, then once a second at most.
     Progress { render: String, done: u64, total: u64 },
+    /// All parts of a render are read, and become its picture.
+    Merged { render: String, parts: usize, samples: u64 },
     /// The picture is there.
     Rendered {
         render: String,
@@ -174,13 +182,16 @@ fn human(event: &Event) -> String {
             let built = format!("in {}, {}", duration(*seconds), size(*bytes));
             format!("\n{render}\n") + &line("scene", &scene.join(", ")) + &line("built", &built)
         }
-        Event::Rendering { width, height, crop, limits, seed, .. } => {
+        Event::Rendering { width, height, crop, limits, seed, shard, .. } => {
             let mut text = format!("{width} × {height}, {}", limits::told(limits));
             if let Some([x0, y0, x1, y1]) = crop {
                 text.push_str(&format!(", columns {x0} to {x1} and rows {y0} to {y1} alone"));
             }
             if *seed != 0 {
                 text.push_str(&format!(", seed {seed}"));
+            }
+            if let Some(slice) = shard {
+                text.push_str(&format!(", {}", slice.told()));
             }
             line("picture", &text)
         }
@@ -215,6 +226,22 @@ fn human(event: &Event) -> String {
                 text.push_str(&line("error", &error.told()));
             }
             text
+        }
+        Event::Resumed { file, samples, seconds, .. } => line(
+            "resumed",
+            &match samples {
+                0 => format!("nothing: there is no {file}, so it begins anew"),
+                _ => {
+                    let done = counted(*samples, "ray");
+                    format!("{file}, {done} a pixel in {}", duration(*seconds))
+                }
+            },
+        ),
+        Event::Checkpoint { file, ended: true, .. } => line("kept", file),
+        Event::Checkpoint { .. } => String::new(),
+        Event::Merged { render, parts, samples } => {
+            let (parts, rays) = (counted(*parts as u64, "part"), counted(*samples, "ray"));
+            format!("{render}\n") + &line("merged", &format!("{parts}, {rays} a pixel"))
         }
         // Told on stderr.
         Event::Progress { .. } | Event::Remark { .. } | Event::Diagnostics { .. } => String::new(),
@@ -296,6 +323,7 @@ mod tests {
                 crop: None,
                 limits: Rule { samples: Some(16), ..Rule::default() },
                 seed: 0,
+                shard: None,
             },
             Event::Rendered {
                 render: "a".into(),

@@ -12,14 +12,20 @@ mod whose;
 mod bar;
 mod limits;
 mod log;
+mod shard;
 mod about;
+mod replay;
+mod asked;
+mod kept;
 mod output;
 mod bias;
 mod picture;
 mod finish;
+mod checkpoint;
 mod scene_file;
 mod check;
 mod render;
+mod merge;
 mod lint;
 mod diff;
 mod fmt;
@@ -80,6 +86,7 @@ pub fn main() -> ExitCode {
         options::Command::Render(options) => render::run(&options),
         options::Command::Lint(options) => lint::run(&options),
         options::Command::Fmt(options) => fmt::run(&options),
+        options::Command::Merge(options) => merge::run(&options),
         options::Command::Compare(options) => compare::run(&options),
         options::Command::Explain(options) => explain::run(&options),
         options::Command::List(options) => list::run(&options),

@@ -14,6 +14,7 @@ Examples:
   scn render scenes/w01_first_pictures.scn    every render of the file, into out/
   scn lint my.scn                             what is wrong with it
   scn fmt my.scn                              lay it out in the one style there is
+  scn merge fig.*.part -o fig.exr             the picture of a render made in parts
   scn compare a.exr reference.exr             how far a picture is from another
   scn list material                           what the language has to offer
   scn explain type/dimension                  what a fault means, and how it is mended
@@ -31,6 +32,7 @@ pub enum Command {
     Render(Render),
     Lint(super::lint::Lint),
     Fmt(Fmt),
+    Merge(super::merge::Merge),
     Compare(super::compare::Compare),
     Explain(Explain),
     List(List),
@@ -40,7 +42,7 @@ pub enum Command {
 }
 
 /// Render the pictures a scene file asks for
-#[derive(Args, Debug)]
+#[derive(Args, Clone, Debug)]
 #[command(after_help = "\
 Examples:
   scn render my.scn                             every render, into out/my/
@@ -93,6 +95,22 @@ pub struct Render {
     /// plan` says is saved
     #[arg(long, value_name = "WHAT")]
     pub force: Option<Force>,
+    /// Keep the render in NAME.checkpoint beside its pictures every so often, such as `10min`, and
+    /// when it ends or is interrupted; every 60 s if no time is given
+    #[arg(long, value_name = "TIME", value_parser = every, allow_negative_numbers = true)]
+    pub checkpoint: Option<Option<f64>>,
+    /// Go on from NAME.checkpoint, to the same picture as without a break, and keep it further
+    #[arg(long)]
+    pub resume: bool,
+    /// Render the i-th of n slices of the samples into NAME.i-of-n.part, for `scn merge`
+    #[arg(long, value_name = "i/n", value_parser = super::shard::parse, allow_hyphen_values = true)]
+    pub shard: Option<super::shard::Shard>,
+    /// Render what this picture shows once more, with the seed and samples it was made of: the same
+    /// bits
+    #[arg(long, value_name = "PICTURE", conflicts_with_all = [
+        "only", "samples", "time", "error", "seed", "scale", "crop", "checkpoint", "resume", "shard",
+    ])]
+    pub replay: Option<PathBuf>,
     /// Say nothing but errors
     #[arg(long, short)]
     pub quiet: bool,
@@ -141,7 +159,7 @@ pub enum Form {
 }
 
 /// As many as the language allows.
-const MAX_SAMPLES: u64 = 4_294_967_296;
+pub const MAX_SAMPLES: u64 = 4_294_967_296;
 /// More threads than any machine has processors are a mistake.
 const MAX_THREADS: u64 = 4096;
 /// The language allows no picture wider than this, so no larger factor is of use.
@@ -165,7 +183,8 @@ fn whole(text: &str, least: u64, most: u64) -> Result<u64, String> {
 }
 
 /// Units of time, in seconds.
-const TIMES: [(&str, f64); 4] = [("ms", 1e-3), ("min", 60.0), ("s", 1.0), ("h", 3600.0)];
+const TIMES: [(&str, f64); 5] =
+    [("us", 1e-6), ("ms", 1e-3), ("min", 60.0), ("s", 1.0), ("h", 3600.0)];
 
 fn time(text: &str) -> Result<f64, String> {
     let unit = TIMES.iter().find_map(|(unit, seconds)| {
@@ -180,6 +199,10 @@ fn time(text: &str) -> Result<f64, String> {
     }
 }
 
+fn every(text: &str) -> Result<f64, String> {
+    time(text).map_err(|why| format!("{why}; the scene file stands before --checkpoint"))
+}
+
 fn error(text: &str) -> Result<f64, String> {
     let number = match text.strip_suffix('%') {
         Some(percent) => percent.trim().parse::<f64>().map(|percent| percent / 100.0),
@@ -192,7 +215,7 @@ fn error(text: &str) -> Result<f64, String> {
     }
 }
 
-fn scale(text: &str) -> Result<f64, String> {
+pub fn scale(text: &str) -> Result<f64, String> {
     let factor: f64 = text.parse().map_err(|_| "write a number, such as 0.5".to_string())?;
     if factor > 0.0 && factor <= MAX_SCALE {
         Ok(factor)
@@ -201,7 +224,7 @@ fn scale(text: &str) -> Result<f64, String> {
     }
 }
 
-fn crop(text: &str) -> Result<[u64; 4], String> {
+pub fn crop(text: &str) -> Result<[u64; 4], String> {
     let parts: Vec<u64> = text
         .split(',')
         .map(|part| part.trim().parse())

@@ -64,6 +64,15 @@ impl Output {
         }
     }
 
+    /// A file beside the pictures of the render called `name`: in a folder NAME.suffix, else the
+    /// picture's name with the suffix in place of its ending.
+    pub fn beside(&self, name: &str, suffix: &str) -> PathBuf {
+        match self {
+            Self::Folder(folder) => folder.join(format!("{name}.{suffix}")),
+            Self::Exr(path) | Self::Png(path) => path.with_extension(suffix),
+        }
+    }
+
     /// The name of the file if it holds a single render.
     pub fn single(&self) -> Option<&Path> {
         match self {

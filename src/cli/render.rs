@@ -3,25 +3,33 @@
 use std::collections::HashSet;
 use std::path::PathBuf;
 
-use super::about::{About, Frame};
+use super::about::Frame;
+use super::asked::Asked;
 use super::bar::{Bar, Watcher};
+use super::checkpoint::{self, Keeper};
 use super::finish::Finish;
-use super::limits::limits;
 use super::log::{Event, Loaded, Log, shown};
 use super::near::{either, near};
 use super::options::{Form, Render};
 use super::output::Output;
+use super::replay::{self, Replay};
 use super::{End, bias, check, scene_file, stop, terminal};
 use crate::diag::{self, Diagnostic, Level, Sources};
 use crate::load::{Loader, Stage};
 use crate::prepare::{self, Prepared};
 use crate::render::tiles::Threads;
-use crate::run::{self, Begin, Stopped, Until};
+use crate::run::{self, Stopped};
 use crate::{files, lang};
 
 pub fn run(options: &Render) -> End {
     stop::listen(options.quiet);
-    let all = || Session::new(options).run();
+    let replayed = options.replay.as_ref().map(|picture| replay::asked(options, picture));
+    let (options, replay) = match &replayed {
+        None => (options, None),
+        Some(Ok((options, replay))) => (options, Some(replay)),
+        Some(Err(why)) => return failed(why),
+    };
+    let all = || Session::new(options, replay).run();
     let ended = match options.threads {
         None => all(),
         Some(count) => match Threads::new(count as usize) {
@@ -38,6 +46,7 @@ pub fn run(options: &Render) -> End {
 /// One run of the command.
 struct Session<'a> {
     options: &'a Render,
+    replay: Option<&'a Replay>,
     log: Log,
     bar: Bar,
     sources: Sources,
@@ -52,10 +61,11 @@ struct Ready {
 }
 
 impl<'a> Session<'a> {
-    fn new(options: &'a Render) -> Self {
+    fn new(options: &'a Render, replay: Option<&'a Replay>) -> Self {
         let bar = !options.quiet && terminal::stderr_is_terminal();
         Self {
             options,
+            replay,
             log: Log { form: options.log, quiet: options.quiet },
             bar: Bar::new(bar),
             sources: Sources::new(),
@@ -84,15 +94,15 @@ impl<'a> Session<'a> {
         }
         let chosen = self.chosen(compiled.renders, &compiled.setups, &output)?;
         let ready = self.load(compiled.diagnostics, chosen, &compiled.outline)?;
-        self.settings_fit(&ready, &output)?;
+        let asked = self.settings_fit(&ready, &output)?;
         self.tell_loaded(&ready);
 
         let mut pictures = 0;
-        for render in &ready {
+        for (render, asked) in ready.iter().zip(&asked) {
             if stop::asked() {
                 return Err(End::Interrupted);
             }
-            self.render(render, &output)?;
+            self.render(render, asked, &output)?;
             pictures += 1;
         }
         self.log.tell(&Event::Done { pictures, seconds: self.bar.seconds() });
@@ -192,27 +202,42 @@ impl<'a> Session<'a> {
         prepare::Settings { scale: self.options.scale, crop: self.options.crop }
     }
 
-    /// Whether --scale and --crop suit the scenes, and the pictures can be written: found out
-    /// before the work, not after it.
-    fn settings_fit(&self, ready: &[Ready], output: &Output) -> Result<(), End> {
+    /// What is asked for, if --scale, --crop and --shard suit the scenes, checkpoints the renders,
+    /// and the pictures can be written: found out before the work, not after it.
+    fn settings_fit(&self, ready: &[Ready], output: &Output) -> Result<Vec<Asked>, End> {
+        let mut all = Vec::new();
         for Ready { name, stage } in ready {
             if let Some(unfit) = self.settings().unfit(stage) {
                 return Err(failed(&format!("render `{name}`: {unfit}")));
             }
+            let asked = Asked::new(name, stage, self.options, self.replay);
+            all.push(asked.map_err(|why| failed(&format!("render `{name}`: {why}")))?);
         }
         let _writing = stop::writing();
         let files = ready.iter().flat_map(|render| &render.stage.files).map(|file| &*file.path);
         let read: HashSet<PathBuf> =
             files.chain([&*self.options.file]).map(files::regular::identity).collect();
-        for path in ready.iter().flat_map(|render| output.paths(&render.name).into_iter()) {
+        let what = if self.options.shard.is_some() { "part" } else { "picture" };
+        for path in ready.iter().flat_map(|render| self.files(&render.name, output)) {
             if read.contains(&files::regular::identity(&path)) {
                 let why = "would replace a file that the scene is read from";
-                return Err(failed(&format!("the picture `{}` {why}", shown(&path))));
+                return Err(failed(&format!("the {what} `{}` {why}", shown(&path))));
             }
             files::whole::ready(&path)
-                .map_err(|failure| failed(&format!("the picture `{}` {failure}", shown(&path))))?;
+                .map_err(|failure| failed(&format!("the {what} `{}` {failure}", shown(&path))))?;
         }
-        Ok(())
+        for asked in &all {
+            checkpoint::check(self.options, output, asked).map_err(|why| failed(&why))?;
+        }
+        Ok(all)
+    }
+
+    /// The files that a render is to become: its pictures, or its part.
+    fn files(&self, name: &str, output: &Output) -> Vec<PathBuf> {
+        match self.options.shard {
+            None => output.paths(name).into_iter().collect(),
+            Some(shard) => vec![output.beside(name, &shard.suffix("part"))],
+        }
     }
 
     fn tell_loaded(&self, ready: &[Ready]) {
@@ -232,7 +257,8 @@ impl<'a> Session<'a> {
     }
 
     /// Renders one scene and writes its pictures.
-    fn render(&mut self, Ready { name, stage }: &Ready, output: &Output) -> Result<(), End> {
+    fn render(&mut self, ready: &Ready, asked: &Asked, output: &Output) -> Result<(), End> {
+        let (Ready { name, stage }, options) = (ready, self.options);
         let begun = self.bar.seconds();
         self.bar.begin(&format!("Building {name}"));
         let plan = bias::plan(stage, self.options.force);
@@ -256,45 +282,63 @@ impl<'a> Session<'a> {
             return Err(End::Interrupted);
         }
 
-        let rule = limits(self.options, &stage.scene.stop);
-        let settings = run::Settings { seed: self.options.seed, until: Until::Rule(rule) };
-        let window = prepared.world.film.window;
+        let Prepared { world, integrator, objects, .. } = &prepared;
+        let (rule, window) = (asked.limits, world.film.window);
+        let settings = run::Settings { seed: options.seed, until: asked.until() };
         self.log.tell(&Event::Rendering {
             render: name.clone(),
             width: window.width(),
             height: window.height(),
-            film: prepared.world.film.size,
-            crop: self.options.crop,
+            film: world.film.size,
+            crop: options.crop,
             limits: rule,
             seed: settings.seed,
+            shard: asked.slice,
         });
+        let begin = checkpoint::begin(options, output, asked, world, self.log);
+        let begin = begin.map_err(|why| failed(&why))?;
+        if let Some(replay) = self.replay {
+            replay.fits(begin.taken.tiles()).map_err(|why| failed(&why))?;
+        }
+        let frame = Frame::of(world);
         self.bar.begin(&format!("Rendering {name}"));
         let watcher = Watcher::new(&self.bar, self.log, name);
-        let Prepared { world, integrator, .. } = &prepared;
-        let outcome = run::render(world, integrator, &settings, Begin::new(world), &watcher);
+        let keeper = Keeper::new(options, output, asked, &frame, watcher, self.log);
+        let outcome = run::render(world, integrator, &settings, begin, &keeper);
         self.bar.end();
+        keeper.end(&outcome);
 
-        let about = About::new(name, stage, self.options);
-        let frame = Frame::of(world);
-        let finish = Finish { log: self.log, about: &about, frame: &frame, rule };
+        let finish = Finish { log: self.log, about: &asked.about, frame: &frame, rule };
         let object = outcome.invalid.and_then(|invalid| invalid.first.object);
-        let object = object.and_then(|number| prepared.objects.get(number as usize));
-        finish.tell(&outcome, object.map(|object| object.name.as_str()));
-        let paths = output.paths(name);
-        if let Stopped::Interrupted { tiles } = outcome.stopped {
-            let tiles = tiles.map(|tiles| [tiles.done, tiles.of]);
+        let object = object.and_then(|number| objects.get(number as usize));
+        let first = object.map(|object| object.name.as_str());
+        finish.tell(&outcome, first);
+        let (tiles, interrupted) = match outcome.stopped {
+            Stopped::Interrupted { tiles } => (tiles.map(|it| [it.done, it.of]), true),
+            _ => (None, false),
+        };
+        if interrupted {
             self.log.tell(&Event::Interrupted {
                 render: name.clone(),
                 samples: outcome.samples,
-                of: rule.samples,
+                of: asked.samples(),
                 tiles,
             });
-            if tiles.is_none_or(|[done, _]| done > 0) {
-                finish.write(outcome, paths)?;
-            }
-            return Err(End::Interrupted);
         }
-        finish.write(outcome, paths)
+        match asked.slice {
+            Some(_) if interrupted && !keeper.keeps() => finish.remark(
+                "a part holds all its samples, so none is written; with --checkpoint what is done \
+                 is kept"
+                    .to_string(),
+            ),
+            Some(_) if interrupted => {}
+            Some(_) => finish.write_part(asked, &outcome, first, &self.files(name, output)[0])?,
+            None if tiles.is_none_or(|[done, _]| done > 0) => {
+                finish.write(outcome, output.paths(name))?;
+            }
+            None => {}
+        }
+        if interrupted { Err(End::Interrupted) } else { Ok(()) }
     }
 
     /// Tells faults, each once, to people on stderr and to machines in the log.

@@ -37,6 +37,11 @@ pub fn open(path: &Path, limit: u64) -> Result<(File, u64), Failure> {
     Ok((file, metadata.len()))
 }
 
+/// Whether there is anything of that name.
+pub fn is_there(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok()
+}
+
 /// One name for each file, however it is reached; the path itself if there is no such file.
 pub fn identity(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())

@@ -21,6 +21,7 @@ use crate::math::{NoProgress, Progress};
 use crate::plan::{Feature, Plan};
 use crate::render::geometry::Geometry;
 use crate::render::integrators::Integrator;
+use crate::render::samplers::Rhythm;
 use crate::render::{World, film::Film, lights::Lights};
 use crate::scene;
 
@@ -90,6 +91,11 @@ pub struct Summary {
     pub slivers: u64,
     /// Memory of the geometry, in bytes.
     pub bytes: u64,
+}
+
+/// How the samples of a stage belong together.
+pub fn rhythm(stage: &Stage) -> Rhythm {
+    integrator::sampler(&stage.scene.sampler).rhythm()
 }
 
 /// Everything that [`prepare`] can find wrong, without building the tree.

@@ -6,6 +6,8 @@
 //! sample. Where tiles end one by one, a tile ends only together with all that touch it: a tile
 //! that has missed some rare light looks done, but its neighbours may know better.
 
+use serde::{Deserialize, Serialize};
+
 use super::Stopped;
 use super::judge::{self, Judgement};
 use crate::measure::noise::Noise;
@@ -29,7 +31,7 @@ pub enum Until {
 }
 
 /// Limits: the first that is reached ends the render. Without any it never ends.
-#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Rule {
     /// One past the last sample of each pixel.
     pub samples: Option<u64>,

@@ -124,3 +124,30 @@ pub fn word(path: PathBuf, key: &str) -> Option<String> {
     let words = scn::files::png::read_metadata(&path).unwrap();
     words.into_iter().find(|(k, _)| k == key).map(|(_, value)| value)
 }
+
+/// All that an EXR file holds to the last bit, but for the seconds it took.
+pub fn whole(path: PathBuf) -> (Vec<(String, Vec<u32>)>, Vec<(String, String)>) {
+    let (layers, mut words) = scn::files::exr::read(&path).unwrap();
+    words.retain(|(key, _)| key != "scn:time");
+    let picture = |name: &str, picture: &scn::math::Picture| {
+        let bits = picture.pixels.iter().flat_map(|pixel| pixel.to_array().map(f32::to_bits));
+        (name.to_string(), bits.collect())
+    };
+    let mut all = vec![picture("", &layers.main)];
+    all.extend(layers.named.iter().map(|(name, named)| picture(name, named)));
+    let scalars = layers.scalars.iter();
+    all.extend(scalars.map(|(name, values)| {
+        (name.clone(), values.iter().map(|value| value.to_bits()).collect())
+    }));
+    (all, words)
+}
+
+/// Other words in a checkpoint or part, with a checksum that fits them.
+pub fn forge(path: PathBuf, change: impl FnOnce(&mut serde_json::Value)) {
+    use scn::files::checkpoint;
+    let version = env!("CARGO_PKG_VERSION");
+    let (mut words, taken): (serde_json::Value, scn::render::film::Taken) =
+        checkpoint::read(&path, version).unwrap();
+    change(&mut words);
+    checkpoint::write(&path, version, &words, &taken).unwrap();
+}

@@ -110,6 +110,12 @@ impl Taken {
             && tiles.iter().zip(&self.tiles).all(|(tile, taken)| whole(tile, taken))
     }
 
+    /// Whether it [fits](Self::fits) such a part of a film, with some sampler's rhythm: to be asked
+    /// where there is no world.
+    pub fn is_sound(&self, window: &Window) -> bool {
+        self.rhythm.is_sound() && self.fits(window, self.rhythm)
+    }
+
     /// The first sample: 0 but for a slice.
     pub fn first(&self) -> u64 {
         self.first

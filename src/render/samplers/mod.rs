@@ -27,6 +27,18 @@ pub struct Rhythm {
     pub block: u64,
 }
 
+impl Rhythm {
+    /// Whether samples can belong together so: to be asked of what was read from a file.
+    pub fn is_sound(&self) -> bool {
+        let Self { round, block } = *self;
+        (1..=MOST_ROUND).contains(&round)
+            && block == LEAST_BLOCK.max(2 * round).next_multiple_of(round)
+    }
+}
+
+/// No sampler spreads more samples together.
+const MOST_ROUND: u64 = 1024 * 1024;
+
 /// A block has at least so many samples. Changing it changes the last bits of every picture.
 const LEAST_BLOCK: u64 = 64;
 
