@@ -125,8 +125,11 @@ pub fn word(path: PathBuf, key: &str) -> Option<String> {
     words.into_iter().find(|(k, _)| k == key).map(|(_, value)| value)
 }
 
+/// Bits of the layers of a picture, and its words.
+type Whole = (Vec<(String, Vec<u32>)>, Vec<(String, String)>);
+
 /// All that an EXR file holds to the last bit, but for the seconds it took.
-pub fn whole(path: PathBuf) -> (Vec<(String, Vec<u32>)>, Vec<(String, String)>) {
+pub fn whole(path: PathBuf) -> Whole {
     let (layers, mut words) = scn::files::exr::read(&path).unwrap();
     words.retain(|(key, _)| key != "scn:time");
     let picture = |name: &str, picture: &scn::math::Picture| {
