@@ -76,10 +76,16 @@ codes! {
     LINT_ALLOW_UNKNOWN = "lint/allow-unknown";
     LINT_ALLOW_UNUSED = "lint/allow-unused";
     LINT_ALLOW_WITHOUT_REASON = "lint/allow-without-reason";
+    LINT_CAMERA_INSIDE = "lint/camera-inside";
     LINT_CAMERA_SEES_NOTHING = "lint/camera-sees-nothing";
+    LINT_COINCIDENT_SURFACES = "lint/coincident-surfaces";
     LINT_DARK_LIGHT = "lint/dark-light";
+    LINT_ENCLOSED = "lint/enclosed";
     LINT_HIDDEN_BY_PLANE = "lint/hidden-by-plane";
     LINT_IGNORED_FIELD = "lint/ignored-field";
+    LINT_INWARD_LAMP = "lint/inward-lamp";
+    LINT_LAMP_FACES_AWAY = "lint/lamp-faces-away";
+    LINT_LIGHT_BEHIND_PLANE = "lint/light-behind-plane";
     LINT_MANY_TURNS = "lint/many-turns";
     LINT_MISSING_CAPTION = "lint/missing-caption";
     LINT_NAMES_BY_CASE = "lint/names-by-case";

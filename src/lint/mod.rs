@@ -7,6 +7,8 @@
 mod allow;
 mod errors;
 mod fix;
+mod flat;
+mod inside;
 mod placed;
 mod rules;
 mod selection;

@@ -65,6 +65,10 @@ impl Bounds {
         0.5 * self.min + 0.5 * self.max
     }
 
+    pub fn holds(&self, p: DVec3) -> bool {
+        p.cmpge(self.min).all() && p.cmple(self.max).all()
+    }
+
     pub fn corners(&self) -> [DVec3; 8] {
         std::array::from_fn(|i| {
             let pick = |bit: usize, low: f64, high: f64| if i & bit == 0 { low } else { high };

@@ -19,7 +19,9 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
         let side = (eye - point).dot(normal).signum();
         let hidden = |bounds: &Bounds| {
             let most = ROUNDING * bounds.size();
-            bounds.corners().iter().all(|p: &DVec3| (*p - point).dot(normal) * side <= most)
+            let heights = bounds.corners().map(|p: DVec3| (p - point).dot(normal) * side);
+            // What lies in the plane is not behind it.
+            heights.iter().all(|h| *h <= most) && heights.iter().any(|h| *h < -most)
         };
         let behind: Vec<_> = bounded.iter().filter(|(_, bounds)| hidden(bounds)).collect();
         if !behind.is_empty() && behind.len() == bounded.len() {

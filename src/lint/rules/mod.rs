@@ -1,10 +1,16 @@
 //! The rules: one a file, with its tests; what each finds stands on its page, docs/errors/lint.
 
 mod albedo_above_one;
+mod camera_inside;
 mod camera_sees_nothing;
+mod coincident_surfaces;
 mod dark_light;
+mod enclosed;
 mod hidden_by_plane;
 mod ignored_field;
+mod inward_lamp;
+mod lamp_faces_away;
+mod light_behind_plane;
 mod many_turns;
 mod missing_caption;
 mod names_by_case;
@@ -29,10 +35,16 @@ use crate::diag::Code;
 /// Every rule, one a line, in the order of their codes.
 pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_ALBEDO_ABOVE_ONE, look: Look::Render(albedo_above_one::look) },
+    Rule { code: Code::LINT_CAMERA_INSIDE, look: Look::Render(camera_inside::look) },
     Rule { code: Code::LINT_CAMERA_SEES_NOTHING, look: Look::Render(camera_sees_nothing::look) },
+    Rule { code: Code::LINT_COINCIDENT_SURFACES, look: Look::Render(coincident_surfaces::look) },
     Rule { code: Code::LINT_DARK_LIGHT, look: Look::Renders(dark_light::look) },
+    Rule { code: Code::LINT_ENCLOSED, look: Look::Render(enclosed::look) },
     Rule { code: Code::LINT_HIDDEN_BY_PLANE, look: Look::Render(hidden_by_plane::look) },
     Rule { code: Code::LINT_IGNORED_FIELD, look: Look::Renders(ignored_field::look) },
+    Rule { code: Code::LINT_INWARD_LAMP, look: Look::Render(inward_lamp::look) },
+    Rule { code: Code::LINT_LAMP_FACES_AWAY, look: Look::Render(lamp_faces_away::look) },
+    Rule { code: Code::LINT_LIGHT_BEHIND_PLANE, look: Look::Renders(light_behind_plane::look) },
     Rule { code: Code::LINT_MANY_TURNS, look: Look::Render(many_turns::look) },
     Rule { code: Code::LINT_MISSING_CAPTION, look: Look::Renders(missing_caption::look) },
     Rule { code: Code::LINT_NAMES_BY_CASE, look: Look::Text(names_by_case::look) },

@@ -1,0 +1,32 @@
+//! A camera inside of a closed object: it sees the inner side of one surface and nothing else.
+
+use crate::diag::{Code, Diagnostic, Span};
+use crate::lint::Shot;
+use crate::lint::inside::{Side, side};
+use crate::lint::placed::Thing;
+use crate::lint::view::eye;
+
+pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
+    let Some((eye, at)) = eye(shot) else { return };
+    let boxes: Vec<_> = shot.things.iter().map(|thing| (thing, thing.bounds())).collect();
+    for (i, (thing, bounds)) in boxes.iter().enumerate() {
+        // Walls look inward, or shine, or have something between them: that is a room.
+        if thing.shines() || side(thing, bounds, eye) != Side::Behind {
+            continue;
+        }
+        let others =
+            boxes.iter().enumerate().filter(|(j, (_, other))| *j != i && !other.is_empty());
+        let mut others = others.map(|(_, (_, other))| other.centre());
+        if !others.any(|centre| side(thing, bounds, centre) == Side::Behind) {
+            found.push(inside(thing, at));
+        }
+    }
+}
+
+fn inside(thing: &Thing, at: Span) -> Diagnostic {
+    let headline = format!("the camera is inside of `{}`", thing.name().value);
+    Diagnostic::warning(Code::LINT_CAMERA_INSIDE, headline)
+        .label(at, "stands inside of it")
+        .label(thing.name().span, "is closed, and lets nothing through")
+        .help("move the camera away from it; or check the unit of the object, if it is too large")
+}
