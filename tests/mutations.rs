@@ -134,7 +134,7 @@ impl Scene {
 fn scenes() -> Vec<Scene> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let mut all = Vec::new();
-    for folder in ["scenes", "scenes/lib"] {
+    for folder in ["scenes", "scenes/lib", "src/cli"] {
         for entry in std::fs::read_dir(root.join(folder)).unwrap() {
             let path = entry.unwrap().path();
             if path.extension().is_some_and(|ending| ending == "scn") {
@@ -207,7 +207,11 @@ fn misspelt(word: &str, chance: &mut Chance) -> String {
 fn mutate(kind: Kind, scene: &Scene, words: &Vocabulary, chance: &mut Chance) -> Option<Mutation> {
     let is = |i: usize, all: &[&str]| all.contains(&scene.word(i));
     let digit = |i: usize| scene.word(i).starts_with(|c: char| c.is_ascii_digit());
-    let unit = |i: usize| units::find(scene.word(i)).is_some() && i > 0 && digit(i - 1);
+    // A unit that follows a number, multiplies something, or stands alone.
+    let unit = |i: usize| {
+        let known = units::find(scene.word(i)).is_some() && !is(i + 1, &[":"]);
+        known && (digit(i - 1) || is(i - 1, &["*", ":"]))
+    };
     match kind {
         Kind::Misspelling => {
             // The name of a declaration may be any word.
@@ -244,7 +248,19 @@ fn mutate(kind: Kind, scene: &Scene, words: &Vocabulary, chance: &mut Chance) ->
             let others: Vec<_> = others.iter().filter(other).collect();
             Some(scene.replaced(i, chance.pick(&others)?))
         }
-        Kind::LostUnit => Some(scene.replaced(*chance.pick(&scene.such(unit))?, "")),
+        Kind::LostUnit => {
+            let units = scene.such(|i| unit(i) && !is(i - 1, &[":"]));
+            let i = *chance.pick(&units)?;
+            // `W/m^2/sr` whole, with the `*` before it.
+            let mut end = i + 1;
+            while is(end, &["/", "^"]) {
+                end += 2;
+            }
+            let first = if is(i - 1, &["*"]) { i - 1 } else { i };
+            let (start, end) = (scene.tokens[first].start, scene.tokens[end - 1].end);
+            let text = format!("{}{}", scene.text[..start].trim_end(), &scene.text[end..]);
+            Some(Mutation { at: scene.text[..start].trim_end().len(), text, faulty: true })
+        }
         Kind::LostField => {
             let fields = scene.such(|i| {
                 words.required.contains(scene.word(i))
@@ -316,18 +332,14 @@ fn near(told: &[Diagnostic], sources: &Sources, text: &str, at: usize) -> bool {
 /// Whether the first mend that is offered leaves no error.
 fn repaired(path: &Path, text: &str, told: &[Diagnostic]) -> bool {
     let mut text = text.to_string();
-    for told in told {
-        let Some(mend) = told.mends.first() else { return false };
-        let mut edits = mend.edits.clone();
-        edits.sort_by_key(|edit| std::cmp::Reverse(edit.span.start));
-        for edit in edits {
-            if edit.span.file != FileId(0) || text.get(edit.span.range()).is_none() {
-                return false;
-            }
-            text.replace_range(edit.span.range(), &edit.text);
+    let Some(mend) = told.iter().find_map(|told| told.mends.first()) else { return false };
+    let mut edits = mend.edits.clone();
+    edits.sort_by_key(|edit| std::cmp::Reverse(edit.span.start));
+    for edit in edits {
+        if edit.span.file != FileId(0) || text.get(edit.span.range()).is_none() {
+            return false;
         }
-        // Places of further faults have moved: one at a time.
-        break;
+        text.replace_range(edit.span.range(), &edit.text);
     }
     errors(&self::told(path, &text).0) == 0
 }

@@ -21,6 +21,8 @@ use crate::math::units::{self, Dimension};
 pub struct FileFacts {
     /// Its folder: names of files are relative to it.
     pub folder: PathBuf,
+    /// What it says.
+    pub text: Arc<str>,
     /// Metres of a bare coordinate.
     pub unit: Option<f64>,
     /// The place of its first line, to tell about a missing unit.
@@ -62,6 +64,11 @@ impl Evaluator<'_> {
     /// The folder names of files in a text are relative to.
     pub fn folder(&self, file: FileId) -> &Path {
         self.files.get(&file).map_or(Path::new(""), |facts| &facts.folder)
+    }
+
+    /// The words at a place.
+    pub fn written(&self, span: Span) -> Option<&str> {
+        self.files.get(&span.file)?.text.get(span.range())
     }
 
     /// Metres of a bare coordinate in a file; tells if its first line does not say.

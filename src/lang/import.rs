@@ -95,7 +95,8 @@ fn read(
     ev.reports.poison(parsed.tree.broken_words.iter().cloned());
     let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
     let first_line = parsed.tree.first_line.filter(|_| !unreadable);
-    ev.add_file(id, FileFacts { folder, unit: parsed.tree.unit, first_line });
+    let text = sources.get(id).text.clone();
+    ev.add_file(id, FileFacts { folder, text, unit: parsed.tree.unit, first_line });
     Unit { id, tree: parsed.tree, reach: Vec::new(), path, identity, uses: Vec::new() }
 }
 

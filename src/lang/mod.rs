@@ -123,7 +123,15 @@ fn read_sets(
     for text in sets {
         let id = sources.add("--set", text.as_str());
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
-        ev.add_file(id, FileFacts { folder, unit, first_line: Some(Span::new(main, 0, 0)) });
+        ev.add_file(
+            id,
+            FileFacts {
+                folder,
+                text: text.as_str().into(),
+                unit,
+                first_line: Some(Span::new(main, 0, 0)),
+            },
+        );
         let quoted = |at: usize| text[..at].matches('"').count() % 2 == 1;
         let equals = text.match_indices('=').map(|(at, _)| at).find(|at| !quoted(*at));
         let Some(equals) = equals else {

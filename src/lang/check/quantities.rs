@@ -19,11 +19,16 @@ pub fn number(ev: &Evaluator, value: &Value, dimension: Dimension, what: &str) -
     match quantity.kind {
         ValueKind::Number { value: x, dimension: found, .. } if found == dimension => Some(x),
         ValueKind::Number { value: x, dimension: Dimension::NONE, unit: None } => {
-            ev.reports.tell(types::missing_unit(what, dimension, x, value.span));
+            // What is long is not repeated.
+            let text = ev.written(value.span).filter(|text| text.len() <= 60);
+            let said = (x, text.filter(|text| !text.contains(['\n', '"'])));
+            ev.reports.tell(types::missing_unit(what, dimension, said, value.span));
             None
         }
         ValueKind::Number { dimension: found, .. } => {
-            ev.reports.tell(types::dimension(what, &dimension.name(), &found.name(), value.span));
+            let told = types::dimension(what, &dimension.name(), &found.name(), value.span);
+            let text = ev.written(value.span);
+            ev.reports.tell(types::with_unit(told, text, found, dimension, value.span));
             None
         }
         ValueKind::Broken => None,

@@ -58,7 +58,9 @@ pub fn spectrum(
         }
         _ => {
             let expected = crate::lang::errors::with_article(spectral.word());
-            ev.reports.tell(types::dimension(what, &expected, &found.name(), value.span));
+            let told = types::dimension(what, &expected, &found.name(), value.span);
+            let text = ev.written(value.span);
+            ev.reports.tell(types::with_unit(told, text, found, dimension, value.span));
             return None;
         }
     };

@@ -7,6 +7,7 @@ pub mod render;
 pub mod spectrum;
 pub mod syntax;
 pub mod types;
+mod unit_tail;
 
 /// Names that are looked at to find the nearest: more than any person wrote.
 const CANDIDATES: usize = 2000;

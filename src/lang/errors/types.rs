@@ -60,21 +60,56 @@ pub fn dimension(what: &str, expected: &str, found: &str, span: Span) -> Diagnos
     .label(span, format!("this is {found}"))
 }
 
-/// A bare number where a unit matters.
-pub fn missing_unit(what: &str, dimension: Dimension, value: f64, span: Span) -> Diagnostic {
-    let units = units_of(dimension);
-    let choices: Vec<_> = units.iter().map(|unit| format!("{} {unit}", digits(value))).collect();
-    let name = dimension.name();
-    let headline = format!("{what} is {name}: `{}` needs a unit", digits(value));
+/// The mend of [`dimension`], where the unit alone is wrong: `text` is the value as written.
+pub fn with_unit(
+    told: Diagnostic,
+    text: Option<&str>,
+    found: Dimension,
+    expected: Dimension,
+    span: Span,
+) -> Diagnostic {
+    let unit = match expected {
+        Dimension::NONE => String::new(),
+        expected => units_of(expected).into_iter().next().unwrap_or_default(),
+    };
+    let right = text.and_then(|text| super::unit_tail::replaced(text, found, &unit));
+    match right {
+        None => told,
+        Some(right) if unit.is_empty() => {
+            told.help("a plain number takes no unit").mend(format!("write `{right}`"), span, right)
+        }
+        Some(right) => told.help(format!("write `{right}`, if the number is meant so")).mend(
+            format!("write `{right}`"),
+            span,
+            right,
+        ),
+    }
+}
+
+/// A bare number where a unit matters; `text`: the number as written.
+pub fn missing_unit(
+    what: &str,
+    dimension: Dimension,
+    (value, text): (f64, Option<&str>),
+    span: Span,
+) -> Diagnostic {
+    let value = digits(value);
+    let text = text.unwrap_or(&value);
+    let literal = |c: char| c.is_ascii_digit() || "._+-eE".contains(c);
+    let with = |unit: &str| match (text.chars().all(literal), unit.strip_prefix("1/")) {
+        (true, None) => format!("{text} {unit}"),
+        // A product or a name; of a sum only the last number would have the unit.
+        _ if text.contains(" + ") || text.contains(" - ") => format!("({text}) * {unit}"),
+        (_, None) => format!("{text} * {unit}"),
+        (_, Some(below)) => format!("{text} / {below}"),
+    };
+    let choices: Vec<_> = units_of(dimension).iter().map(|unit| with(unit)).collect();
+    let headline = format!("{what} is {}: `{value}` needs a unit", dimension.name());
     let mut told = Diagnostic::error(Code::TYPE_MISSING_UNIT, headline)
         .label(span, "a unit belongs after this")
         .help(format!("write {}", listed(choices.iter().map(String::as_str), "or")));
-    for unit in units {
-        told = told.mend(
-            format!("write `{} {unit}`", digits(value)),
-            span.after(),
-            format!(" {unit}"),
-        );
+    for right in choices {
+        told = told.mend(format!("write `{right}`"), span, right);
     }
     told
 }
