@@ -15,8 +15,9 @@ use crate::optics;
 use crate::scene::schema::Checked;
 use crate::scene::spectral::{CAUCHY, RECORDS, SELLMEIER, SPECTRUM};
 
-/// Nodes of tables whose computation counts as one value.
-const NODES_A_VALUE: usize = 64;
+/// Nodes of tables that count as one value, wherever a table is computed or lands: each scene has
+/// its own.
+const NODES_A_VALUE: usize = 16;
 
 /// The spectrum that a record stands for; None: it is a record of something else.
 pub fn from_record(ev: &Evaluator, record: &RecordValue, span: Span) -> Option<Value> {
@@ -220,10 +221,11 @@ fn tables(
     Some(Spectrum::Table(joined))
 }
 
-/// Counts the work of a table.
-fn spend(ev: &Evaluator, spectrum: &Spectrum, place: Span) -> Option<()> {
+/// Counts the work of a table, or of a formula that has to be looked into.
+pub fn spend(ev: &Evaluator, spectrum: &Spectrum, place: Span) -> Option<()> {
     let nodes = match spectrum {
         Spectrum::Table(table) => table.nodes().len(),
+        Spectrum::Formula { .. } => (optics::VISIBLE.1 - optics::VISIBLE.0) as usize,
         _ => 0,
     };
     ev.spend_many(nodes / NODES_A_VALUE, place).then_some(())

@@ -67,8 +67,8 @@ impl Spectral {
         }
     }
 
-    /// Bounds at every wavelength. A reflectance above 1 is no error: tables of .mtl files have
-    /// them.
+    /// Bounds at every wavelength. A reflectance above 1 is no error but doubted: files of other
+    /// programs have them.
     pub const fn range(self) -> Range {
         Range::at_least(0.0)
     }

@@ -139,6 +139,10 @@ fn within(
     dimension: Dimension,
     what: &str,
 ) -> Option<()> {
+    if *range == Range::ANY {
+        return Some(());
+    }
+    spectra::spend(ev, spectrum, value.span)?;
     let table = match spectrum {
         Spectrum::Constant(x) => return in_range(ev, value, *x, range, dimension, what),
         Spectrum::Rgb(components) => {
