@@ -157,8 +157,9 @@ impl Composer<'_> {
                 return None;
             }
         };
-        if said.is_broken() {
-            return None;
+        // What is there and wrong is there: those who name it are told nothing.
+        if said.is_broken() || before.1.is_broken() {
+            return Some(Some((before.0, Value::broken(said.span))));
         }
         let root =
             Action { parts: Vec::new(), what: What::Remove, name: action.name.clone(), ..*action };
