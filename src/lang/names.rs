@@ -115,47 +115,51 @@ fn tell_circles(ev: &Evaluator, lets: &[Arc<Let>]) -> HashSet<Span> {
 
 /// The words an expression may look up, and whether each is called as a function.
 pub fn mentioned<'e>(expr: &'e Expr, found: &mut Vec<(&'e Word, bool)>) {
+    paths(expr, &mut |path, called| {
+        if let [word] = path {
+            found.push((word, called));
+        }
+    });
+}
+
+/// The names an expression may look up, those with dots included, and whether each is called as a
+/// function.
+pub fn paths<'e>(expr: &'e Expr, found: &mut dyn FnMut(&'e [Word], bool)) {
     let mut records = Vec::new();
     match &expr.kind {
         ExprKind::Number { .. } | ExprKind::Broken => {}
         ExprKind::Text(pieces) => pieces.iter().for_each(|piece| {
             if let Piece::Value(expr) = piece {
-                mentioned(expr, found);
+                paths(expr, found);
             }
         }),
         ExprKind::Vector(all) | ExprKind::List(all) => {
-            all.iter().for_each(|expr| mentioned(expr, found));
+            all.iter().for_each(|expr| paths(expr, found));
         }
         ExprKind::Call { function, arguments } => {
-            if let [word] = function.as_slice() {
-                found.push((word, true));
-            }
-            arguments.iter().for_each(|expr| mentioned(expr, found));
+            found(function, true);
+            arguments.iter().for_each(|expr| paths(expr, found));
         }
         ExprKind::Record(record) => records.push(&**record),
-        ExprKind::Name(path) => {
-            if let [word] = path.as_slice() {
-                found.push((word, false));
-            }
-        }
-        ExprKind::Negated(inner) | ExprKind::Power(inner, _) => mentioned(inner, found),
+        ExprKind::Name(path) => found(path, false),
+        ExprKind::Negated(inner) | ExprKind::Power(inner, _) => paths(inner, found),
         ExprKind::Chain { first, rest } => {
-            mentioned(first, found);
-            rest.iter().for_each(|(_, _, expr)| mentioned(expr, found));
+            paths(first, found);
+            rest.iter().for_each(|(_, _, expr)| paths(expr, found));
         }
         ExprKind::With { base, changes } => {
-            mentioned(base, found);
+            paths(base, found);
             records.extend(changes.iter());
         }
         ExprKind::Range { from, to, step } => {
-            mentioned(from, found);
-            mentioned(to, found);
+            paths(from, found);
+            paths(to, found);
             if let Some(step) = step {
-                mentioned(step, found);
+                paths(step, found);
             }
         }
     }
     for entry in records.into_iter().flat_map(|record| &record.entries) {
-        mentioned(&entry.value, found);
+        paths(&entry.value, found);
     }
 }

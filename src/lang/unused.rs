@@ -8,8 +8,9 @@ use super::ast::{Expr, Let};
 use super::errors::name;
 use super::eval::Evaluator;
 use super::functions;
-use super::names::mentioned;
+use super::names::paths;
 use super::resolve::Plan;
+use super::shelves;
 use super::spectra;
 use super::value::{Binding, Bound, Env, Value, ValueKind};
 use crate::scene::KINDS;
@@ -59,8 +60,14 @@ fn parts(binding: &Binding) -> Option<(&Let, &Env, bool)> {
 /// Tells words that are no name of anything.
 fn words(ev: &Evaluator, value: &Expr, env: &Env, known: &HashSet<&str>) {
     let mut found = Vec::new();
-    mentioned(value, &mut found);
-    for (word, called) in found {
+    paths(value, &mut |path, called| found.push((path, called)));
+    for (path, called) in found {
+        let [word] = path else {
+            if let (false, [first, .., last]) = (called, path) {
+                shelves::named(ev, path, env, first.span.to(last.span));
+            }
+            continue;
+        };
         let text = &*word.text;
         let exists = env.find(text).is_some()
             || functions::ALL.contains(&text)
