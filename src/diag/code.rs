@@ -81,6 +81,7 @@ codes! {
     LINT_COINCIDENT_SURFACES = "lint/coincident-surfaces";
     LINT_DARK_LIGHT = "lint/dark-light";
     LINT_ENCLOSED = "lint/enclosed";
+    LINT_EXPOSURE = "lint/exposure";
     LINT_HIDDEN_BY_PLANE = "lint/hidden-by-plane";
     LINT_IGNORED_FIELD = "lint/ignored-field";
     LINT_INWARD_LAMP = "lint/inward-lamp";

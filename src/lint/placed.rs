@@ -15,6 +15,8 @@ pub(super) struct Thing<'a> {
     pub body: Body<'a>,
     /// Materials of its slots; all but meshes have one.
     pub materials: Vec<&'a Named<Material>>,
+    /// The box around it; empty for a plane.
+    bounds: Bounds,
 }
 
 /// A surface in metres; a mirrored one has its front where the mirror shows it.
@@ -107,7 +109,8 @@ fn thing<'a>(
         None => staged?.materials.iter().collect(),
     };
     let body = map.is_invertible().then(|| body(&object.value, staged, map))??;
-    let thing = Thing { object, body, materials };
+    let bounds = body.bounds();
+    let thing = Thing { object, body, materials, bounds };
     thing.is_finite().then_some(thing)
 }
 
@@ -152,6 +155,28 @@ fn body<'a>(
     })
 }
 
+impl Body<'_> {
+    /// The box around it; empty for a plane.
+    fn bounds(&self) -> Bounds {
+        match self {
+            Body::Mesh { mesh, to_metres } => {
+                let corners = mesh.triangles.iter().flatten();
+                Bounds::around(corners.map(|i| to_metres.point(mesh.positions[*i as usize])))
+            }
+            Body::Face { corners } => Bounds::around(corners.iter().copied()),
+            Body::Sphere { centre, radius } => {
+                Bounds { min: *centre - *radius, max: *centre + *radius }
+            }
+            Body::Disk { centre, normal, radius } => {
+                let reach =
+                    *radius * (DVec3::ONE - *normal * *normal).max(DVec3::ZERO).map(f64::sqrt);
+                Bounds { min: *centre - reach, max: *centre + reach }
+            }
+            Body::Plane { .. } => Bounds::EMPTY,
+        }
+    }
+}
+
 impl Thing<'_> {
     /// Its name.
     pub fn name(&self) -> &At<String> {
@@ -177,22 +202,7 @@ impl Thing<'_> {
 
     /// The box around it; empty for a plane.
     pub fn bounds(&self) -> Bounds {
-        match &self.body {
-            Body::Mesh { mesh, to_metres } => {
-                let corners = mesh.triangles.iter().flatten();
-                Bounds::around(corners.map(|i| to_metres.point(mesh.positions[*i as usize])))
-            }
-            Body::Face { corners } => Bounds::around(corners.iter().copied()),
-            Body::Sphere { centre, radius } => {
-                Bounds { min: *centre - *radius, max: *centre + *radius }
-            }
-            Body::Disk { centre, normal, radius } => {
-                let reach =
-                    *radius * (DVec3::ONE - *normal * *normal).max(DVec3::ZERO).map(f64::sqrt);
-                Bounds { min: *centre - reach, max: *centre + reach }
-            }
-            Body::Plane { .. } => Bounds::EMPTY,
-        }
+        self.bounds
     }
 
     /// Whether its coordinates can be reckoned with.
@@ -203,7 +213,7 @@ impl Thing<'_> {
         match &self.body {
             Body::Plane { point, .. } => near(*point),
             _ => {
-                let bounds = self.bounds();
+                let bounds = self.bounds;
                 near(bounds.min) && near(bounds.max) && bounds.size() >= 1.0 / MOST
             }
         }

@@ -6,6 +6,7 @@ mod camera_sees_nothing;
 mod coincident_surfaces;
 mod dark_light;
 mod enclosed;
+mod exposure;
 mod hidden_by_plane;
 mod ignored_field;
 mod inward_lamp;
@@ -40,6 +41,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_COINCIDENT_SURFACES, look: Look::Render(coincident_surfaces::look) },
     Rule { code: Code::LINT_DARK_LIGHT, look: Look::Renders(dark_light::look) },
     Rule { code: Code::LINT_ENCLOSED, look: Look::Render(enclosed::look) },
+    Rule { code: Code::LINT_EXPOSURE, look: Look::Render(exposure::look) },
     Rule { code: Code::LINT_HIDDEN_BY_PLANE, look: Look::Render(hidden_by_plane::look) },
     Rule { code: Code::LINT_IGNORED_FIELD, look: Look::Renders(ignored_field::look) },
     Rule { code: Code::LINT_INWARD_LAMP, look: Look::Render(inward_lamp::look) },
