@@ -68,6 +68,22 @@ fn mends_that_are_safe_are_made() {
 }
 
 #[test]
+fn faults_with_one_reading_are_mended_too() {
+    let bench = Bench::new();
+    let wrong = BALL.replace("samples: 4", "samples= 4").replace("albedo: 0.8", "albedo: .8");
+    bench.put("my.scn", wrong);
+    bench.run("lint my.scn").ends(1);
+    bench.run("lint my.scn --diff").ends(1);
+    bench.run("lint my.scn --fix").ends(0).says("my.scn: 2 mends\n");
+    assert_eq!(std::fs::read_to_string(bench.path("my.scn")).unwrap(), BALL);
+    // What can be meant in several ways is left to people.
+    let wrong = BALL.replace("material: white", "material: whit");
+    bench.put("my.scn", &wrong);
+    bench.run("lint my.scn --fix").ends(1);
+    assert_eq!(std::fs::read_to_string(bench.path("my.scn")).unwrap(), wrong);
+}
+
+#[test]
 fn what_is_not_told_is_not_mended() {
     let bench = Bench::new();
     bench.put("my.scn", doubtful());

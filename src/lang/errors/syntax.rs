@@ -168,7 +168,7 @@ pub fn missing_colon(kind: &str, at: Span) -> Diagnostic {
         .label(at, "`:` belongs here")
         .why("Everything is said in one form: `word: value`, or `word name: value`.")
         .help("write `:` before the value")
-        .mend("write `:`", at, ":")
+        .safe_mend("write `:`", at, ":")
 }
 
 /// `=` for `:` or the other way round.
@@ -181,7 +181,7 @@ pub fn wrong_equals(found: char, span: Span) -> Diagnostic {
         .label(span, format!("write `{right}`"))
         .why("`let name = value` defines a name; `path: value` says something of the scene.")
         .help(format!("write `{right}`"))
-        .mend(format!("write `{right}`"), span, right)
+        .safe_mend(format!("write `{right}`"), span, right)
 }
 
 /// Two items or fields on a line without a comma.
@@ -190,7 +190,7 @@ pub fn missing_separator(last: Span, next: Span, what: &str) -> Diagnostic {
         .label(last.after(), format!("a comma or a new line belongs here, before the next {what}"))
         .label(next, format!("the next {what}"))
         .help("write `,`, or begin a new line")
-        .mend("write `,`", last.after(), ",")
+        .safe_mend("write `,`", last.after(), ",")
 }
 
 /// A semicolon.
@@ -199,7 +199,7 @@ pub fn semicolon(span: Span) -> Diagnostic {
         .label(span, "take it away")
         .why("New lines or commas part items and fields.")
         .help("begin a new line, or write `,`")
-        .mend("write `,`", span, ",")
+        .safe_mend("write `,`", span, ",")
 }
 
 /// A setup or a render without braces.
@@ -209,7 +209,7 @@ pub fn missing_body(found: &str, span: Span) -> Diagnostic {
         .label(span, "`{ … }` belongs after it")
         .why("A setup or a render says in braces what it changes, even if it is nothing.")
         .help(format!("write `{found} {{}}`"))
-        .mend("write `{}`", span.after(), " {}")
+        .safe_mend("write `{}`", span.after(), " {}")
 }
 
 /// A number the language writes differently.
@@ -224,7 +224,7 @@ pub fn number_form(found: &str, span: Span) -> Diagnostic {
     )
     .label(span, "a digit stands on both sides of the point")
     .help(format!("write `{right}`"))
-    .mend(format!("write `{right}`"), span, right)
+    .safe_mend(format!("write `{right}`"), span, right)
 }
 
 /// `1,5`
