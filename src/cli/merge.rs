@@ -23,7 +23,7 @@ Example:
   scn render my.scn --only fig02 --shard 1/3     on one machine
   scn render my.scn --only fig02 --shard 2/3     on another one
   scn render my.scn --only fig02 --shard 3/3     on a third one
-  scn merge fig02.*-of-3.part -o fig02.exr       the picture of one run
+  scn merge out/my/fig02.*.part -o fig02.exr     the picture of one run
 
 The parts may come in any order. They are to be of one scene, one seed and the same settings.")]
 pub struct Merge {

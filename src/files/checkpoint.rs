@@ -30,7 +30,7 @@ const LIMIT: u64 = 64_000_000_000;
 #[derive(Serialize, Deserialize)]
 struct Words<W> {
     version: String,
-    about: W,
+    words: W,
 }
 
 /// The version alone: the first thing to be read, for the rest depends on it.
@@ -43,10 +43,10 @@ struct Version {
 pub fn write(
     path: &Path,
     version: &str,
-    about: &impl Serialize,
+    words: &impl Serialize,
     payload: &impl Serialize,
 ) -> Result<(), Failure> {
-    let words = serde_json::to_vec(&Words { version: version.to_string(), about })
+    let words = serde_json::to_vec(&Words { version: version.to_string(), words })
         .map_err(|error| Failure::new(format!("cannot hold these words: {error}")))?;
     whole::write(path, |file| {
         file.write_all(&[0; HEADER])?;
@@ -126,7 +126,7 @@ fn parsed<W: DeserializeOwned, P: DeserializeOwned>(
     }
     let words: Words<W> = serde_json::from_slice(words).map_err(|_| strange())?;
     let (payload, left) = postcard::take_from_bytes(payload).map_err(|_| strange())?;
-    if left.is_empty() { Ok((words.about, payload)) } else { Err(strange()) }
+    if left.is_empty() { Ok((words.words, payload)) } else { Err(strange()) }
 }
 
 /// A writer that knows the checksum and the length of what went through it, and why it failed.

@@ -145,6 +145,18 @@ pub fn whole(path: PathBuf) -> Whole {
     (all, words)
 }
 
+/// Two EXR files hold the same to the last bit, but for the seconds they took.
+pub fn assert_same(a: PathBuf, b: PathBuf) {
+    let ((a, words), (b, others)) = (whole(a), whole(b));
+    assert_eq!(words, others);
+    let names = |all: &[(String, Vec<u32>)]| all.iter().map(|it| it.0.clone()).collect::<Vec<_>>();
+    assert_eq!(names(&a), names(&b));
+    for ((name, mine), (_, other)) in a.iter().zip(&b) {
+        let first = mine.iter().zip(other).position(|(a, b)| a != b);
+        assert!(mine.len() == other.len() && first.is_none(), "`{name}`, value {first:?}");
+    }
+}
+
 /// Other words in a checkpoint or part, with a checksum that fits them.
 pub fn forge(path: PathBuf, change: impl FnOnce(&mut serde_json::Value)) {
     use scn::files::checkpoint;

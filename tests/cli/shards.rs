@@ -1,6 +1,6 @@
 //! Renders made in parts, and joined.
 
-use crate::bench::{BALL, Bench, forge, whole};
+use crate::bench::{BALL, Bench, assert_same, forge, whole};
 
 /// Renders shards of `ball.scn` into parts called `left.i-of-n.part`.
 fn shards(bench: &Bench, of: u64, arguments: &str) -> Vec<String> {
@@ -22,7 +22,7 @@ fn seven_parts_in_any_order_are_one_run() {
     for order in [[0, 1, 2, 3, 4, 5, 6], [4, 2, 6, 0, 5, 1, 3], [6, 5, 4, 3, 2, 1, 0]] {
         let parts: Vec<&str> = order.iter().map(|&i| &*parts[i]).collect();
         bench.run(&format!("merge {} -o merged.exr", parts.join(" "))).well();
-        assert_eq!(whole(bench.path("merged.exr")), expected);
+        assert_same(bench.path("merged.exr"), bench.path("whole.exr"));
     }
     assert!(expected.0.iter().any(|(name, _)| name == "error"));
 }
@@ -46,7 +46,7 @@ fn a_folder_gets_both_pictures_and_the_log_tells_the_same() {
     assert_eq!(told, ["\"merged\"", "\"left\"", "3", "300"]);
     let names = ["merged/left.exr", "merged/left.png"];
     assert!(names.iter().all(|name| bench.files().contains(&name.to_string())));
-    assert_eq!(whole(bench.path("one/left.exr")), whole(bench.path(names[0])));
+    assert_same(bench.path("one/left.exr"), bench.path(names[0]));
     let pixels = |name: &str| scn::files::png::read(&bench.path(name)).unwrap().0;
     assert_eq!(pixels("one/left.png"), pixels(names[1]));
     let run = bench.run(&format!("merge {parts} -o human.exr")).well();
@@ -83,7 +83,7 @@ fn missing_double_and_overlapping_parts_are_named() {
     // Of two cuts, but whole.
     bench.run(&format!("merge {e} {} {d} {c} -o merged.exr", others[0])).well();
     bench.run("render ball.scn --only left -o whole.exr --samples 320").well();
-    assert_eq!(whole(bench.path("merged.exr")), whole(bench.path("whole.exr")));
+    assert_same(bench.path("merged.exr"), bench.path("whole.exr"));
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn a_shard_can_be_kept_and_gone_on_with() {
     assert!(told.contains("resumed   ./left.2-of-2.checkpoint, 208 rays a pixel in"), "{told}");
     bench.run("merge left.2-of-2.part left.1-of-2.part -o a.exr").well();
     bench.run("render ball.scn --only left -o b.exr --samples 400").well();
-    assert_eq!(whole(bench.path("a.exr")), whole(bench.path("b.exr")));
+    assert_same(bench.path("a.exr"), bench.path("b.exr"));
     // Another number of samples is another slice.
     let run = bench.run("render ball.scn --only left -o . --samples 500 --shard 2/2 --resume");
     run.ends(2).says("samples 192 to 399 of 400, not part 2 of 2, samples 256 to 499 of 500");
