@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use super::bias::{self, Told};
 use super::options::Render;
 use crate::load::Stage;
 use crate::render::World;
@@ -38,6 +39,8 @@ pub struct About {
     pub crop: Option<[u64; 4]>,
     /// --set.
     pub set: Vec<String>,
+    /// What makes the picture systematically wrong.
+    pub biases: Vec<Told>,
 }
 
 impl About {
@@ -57,6 +60,7 @@ impl About {
             scale: options.scale,
             crop: options.crop,
             set: options.set.clone(),
+            biases: bias::told(stage),
         }
     }
 

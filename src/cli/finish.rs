@@ -7,7 +7,7 @@ use super::asked::Asked;
 use super::kept::{Kept, Kind};
 use super::log::{Error, Event, Log, shown};
 use super::output::Paths;
-use super::{End, picture, stop, terminal};
+use super::{End, bias, picture, stop, terminal};
 use crate::diag::harmless_text;
 use crate::files;
 use crate::run::{Outcome, Rule};
@@ -22,7 +22,8 @@ pub struct Finish<'a> {
 }
 
 impl Finish<'_> {
-    /// Tells what came of it. `first` is the object which the first sample met that was not finite.
+    /// Tells what came of it. `first` is the object which the first sample met that
+    /// was not finite, in words.
     pub fn tell(&self, outcome: &Outcome, first: Option<&str>) {
         let render = &self.about.render;
         self.log.tell(&Event::Rendered {
@@ -38,6 +39,10 @@ impl Finish<'_> {
             limits: self.rule,
             stopped_by: picture::stopped_by(&outcome.stopped),
         });
+        let biases = self.about.biases.iter().cloned();
+        for told in biases.chain(bias::of_outcome(outcome)) {
+            self.log.tell(&Event::Bias { render: render.clone(), told });
+        }
         for text in picture::remarks(outcome, first) {
             self.remark(text);
         }

@@ -35,7 +35,7 @@ pub struct Kept {
     pub slice: Option<Slice>,
     /// Seconds of rendering.
     pub seconds: f64,
-    /// Name of the object which the first sample met that was not finite; in a part alone.
+    /// The object which the first sample met that was not finite, in words; in a part alone.
     pub first: Option<String>,
 }
 

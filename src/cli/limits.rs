@@ -7,14 +7,14 @@ use crate::scene::Stop;
 
 /// The limits of a render. If any is given on the command line, those of the scene do not count.
 pub fn limits(options: &Render, stop: &Stop) -> Rule {
-    if options.samples.is_some() || options.time.is_some() || options.error.is_some() {
-        let adaptive = options.error.is_some() && stop.adaptive.0;
-        return Rule {
-            samples: options.samples,
-            time: options.time,
-            error: options.error,
-            adaptive,
-        };
+    of(options.samples, options.time, options.error, stop)
+}
+
+/// The same, from --samples, --time and --error.
+pub fn of(samples: Option<u64>, time: Option<f64>, error: Option<f64>, stop: &Stop) -> Rule {
+    if samples.is_some() || time.is_some() || error.is_some() {
+        let adaptive = error.is_some() && stop.adaptive.0;
+        return Rule { samples, time, error, adaptive };
     }
     Rule {
         samples: stop.most_samples(),

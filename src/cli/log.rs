@@ -6,6 +6,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use super::bias::Told;
 use super::limits::{self, percent};
 use super::options::Form;
 use super::shard::Slice;
@@ -65,6 +66,12 @@ pub enum Event {
         error: Option<Error>,
         limits: Rule,
         stopped_by: &'static str,
+    },
+    /// Something makes the picture systematically wrong, whatever the number of samples.
+    Bias {
+        render: String,
+        #[serde(flatten)]
+        told: Told,
     },
     /// Something about the picture that is no fault of the scene.
     Remark { render: String, text: String },
@@ -243,6 +250,7 @@ fn human(event: &Event) -> String {
             let (parts, rays) = (counted(*parts as u64, "part"), counted(*samples, "ray"));
             format!("{render}\n") + &line("merged", &format!("{parts}, {rays} a pixel"))
         }
+        Event::Bias { told, .. } => line("bias", &told.line()),
         // Told on stderr.
         Event::Progress { .. } | Event::Remark { .. } | Event::Diagnostics { .. } => String::new(),
         Event::Interrupted { samples, of, tiles, .. } => line(

@@ -26,6 +26,7 @@ mod scene_file;
 mod check;
 mod render;
 mod merge;
+mod plan;
 mod lint;
 mod diff;
 mod fmt;
@@ -84,6 +85,7 @@ pub fn main() -> ExitCode {
     };
     let end = match options.command {
         options::Command::Render(options) => render::run(&options),
+        options::Command::Plan(options) => plan::run(&options),
         options::Command::Lint(options) => lint::run(&options),
         options::Command::Fmt(options) => fmt::run(&options),
         options::Command::Merge(options) => merge::run(&options),

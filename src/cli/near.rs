@@ -37,6 +37,16 @@ pub fn quoted(words: &[&str], and: &str) -> String {
     }
 }
 
+/// Names, not too many of them.
+pub fn listed(names: &[&str]) -> String {
+    const MOST: usize = 12;
+    let mut text = names[..names.len().min(MOST)].join(", ");
+    if names.len() > MOST {
+        text.push_str(&format!(" and {} more", names.len() - MOST));
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

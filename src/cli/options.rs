@@ -12,6 +12,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 Examples:
   scn new my                                  a small scene to begin with, in my.scn
   scn render scenes/w01_first_pictures.scn    every render of the file, into out/
+  scn plan my.scn                             what that takes, and how right it is
   scn lint my.scn                             what is wrong with it
   scn fmt my.scn                              lay it out in the one style there is
   scn merge fig.*.part -o fig.exr             the picture of a render made in parts
@@ -30,6 +31,7 @@ pub struct Options {
 #[derive(Subcommand, Debug)]
 pub enum Command {
     Render(Render),
+    Plan(super::plan::Plan),
     Lint(super::lint::Lint),
     Fmt(Fmt),
     Merge(super::merge::Merge),
@@ -165,15 +167,15 @@ const MAX_THREADS: u64 = 4096;
 /// The language allows no picture wider than this, so no larger factor is of use.
 const MAX_SCALE: f64 = 65_536.0;
 
-fn samples(text: &str) -> Result<u64, String> {
+pub fn samples(text: &str) -> Result<u64, String> {
     whole(text, 1, MAX_SAMPLES)
 }
 
-fn threads(text: &str) -> Result<u64, String> {
+pub fn threads(text: &str) -> Result<u64, String> {
     whole(text, 1, MAX_THREADS)
 }
 
-fn seed(text: &str) -> Result<u64, String> {
+pub fn seed(text: &str) -> Result<u64, String> {
     whole(text, 0, u64::MAX)
 }
 
@@ -186,7 +188,7 @@ fn whole(text: &str, least: u64, most: u64) -> Result<u64, String> {
 const TIMES: [(&str, f64); 5] =
     [("us", 1e-6), ("ms", 1e-3), ("min", 60.0), ("s", 1.0), ("h", 3600.0)];
 
-fn time(text: &str) -> Result<f64, String> {
+pub fn time(text: &str) -> Result<f64, String> {
     let unit = TIMES.iter().find_map(|(unit, seconds)| {
         Some((text.strip_suffix(unit)?.trim().parse::<f64>().ok()?, *seconds))
     });
@@ -203,7 +205,7 @@ fn every(text: &str) -> Result<f64, String> {
     time(text).map_err(|why| format!("{why}; the scene file stands before --checkpoint"))
 }
 
-fn error(text: &str) -> Result<f64, String> {
+pub fn error(text: &str) -> Result<f64, String> {
     let number = match text.strip_suffix('%') {
         Some(percent) => percent.trim().parse::<f64>().map(|percent| percent / 100.0),
         None => text.parse(),

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::about::{About, Frame, VERSION, comma};
+use super::bias;
 use super::log::Error;
 use super::output::Paths;
 use super::words::counted;
@@ -70,6 +71,11 @@ impl Done<'_> {
             put("set", about.set.join("\n"));
         }
         put("stopped_by", stopped_by(&self.outcome.stopped).to_string());
+        let biases = about.biases.iter().cloned().chain(bias::of_outcome(&self.outcome));
+        let biases: Vec<String> = biases.map(|told| told.line()).collect();
+        if !biases.is_empty() {
+            put("bias", biases.join("\n"));
+        }
         if let Some(noise) = self.outcome.noise {
             let Error { error, low, high, .. } = Error::new(&noise, self.outcome.bound);
             put("error", format!("{error:e}"));
@@ -107,11 +113,11 @@ pub fn stopped_by(stopped: &Stopped) -> &'static str {
 }
 
 /// What is strange about a picture though its scene has no fault. `first` is the object which the
-/// first sample met that was not finite.
+/// first sample met that was not finite, in words.
 pub fn remarks(outcome: &Outcome, first: Option<&str>) -> Vec<String> {
     let mut all = Vec::new();
     if let Some(invalid) = outcome.invalid {
-        let on = first.map(|name| format!(", on object `{name}`")).unwrap_or_default();
+        let on = first.map(|object| format!(", on {object}")).unwrap_or_default();
         let first = invalid.first;
         all.push(format!(
             "{} not finite and count as black; the first is sample {} of pixel ({}, {}){on}",

@@ -3,13 +3,13 @@
 use std::collections::HashSet;
 use std::path::PathBuf;
 
-use super::about::Frame;
+use super::about::{About, Frame};
 use super::asked::Asked;
 use super::bar::{Bar, Watcher};
 use super::checkpoint::{self, Keeper};
 use super::finish::Finish;
 use super::log::{Event, Loaded, Log, shown};
-use super::near::{either, near};
+use super::near::listed;
 use super::options::{Form, Render};
 use super::output::Output;
 use super::replay::{self, Replay};
@@ -87,11 +87,6 @@ impl<'a> Session<'a> {
             self.tell(compiled.diagnostics);
             return Err(End::SceneErrors);
         }
-        if compiled.renders.is_empty() {
-            let file = shown(&options.file);
-            let why = "asks for no picture: it only defines things for others";
-            return Err(failed(&format!("`{file}` {why}")));
-        }
         let chosen = self.chosen(compiled.renders, &compiled.setups, &output)?;
         let ready = self.load(compiled.diagnostics, chosen, &compiled.outline)?;
         let asked = self.settings_fit(&ready, &output)?;
@@ -116,29 +111,9 @@ impl<'a> Session<'a> {
         setups: &[String],
         output: &Output,
     ) -> Result<Vec<lang::Render>, End> {
-        let only = &self.options.only;
-        let names: Vec<String> = renders.iter().map(|render| render.name.value.clone()).collect();
-        let all: Vec<&str> = names.iter().map(String::as_str).collect();
-        let file = self.options.file.display();
-        if let Some(unknown) = only.iter().find(|name| !names.contains(name)) {
-            let mut text = format!("{file} has no render `{unknown}`");
-            let nearest = near(unknown, all.iter().copied());
-            if setups.contains(unknown) {
-                let example = format!("render {unknown}_alone: {unknown} {{}}");
-                text.push_str(&format!(
-                    "; `{unknown}` is a setup, which is not drawn by itself: a render builds on \
-                     it, as in `{example}`"
-                ));
-            } else if !nearest.is_empty() {
-                text.push_str(&format!("; did you mean {}?", either(&nearest)));
-            }
-            text.push_str(&format!("\n  it has: {}", listed(&all)));
-            return Err(failed(&text));
-        }
-        let chosen: Vec<lang::Render> = renders
-            .into_iter()
-            .filter(|render| only.is_empty() || only.contains(&render.name.value))
-            .collect();
+        let (only, file) = (&self.options.only, &self.options.file);
+        let chosen =
+            scene_file::chosen(renders, setups, only, file).map_err(|text| failed(&text))?;
         match output.single() {
             Some(path) if chosen.len() != 1 => Err(failed(&format!(
                 "`{}` holds one picture, but {} renders were asked for\n  choose one with --only \
@@ -266,7 +241,7 @@ impl<'a> Session<'a> {
         let (prepared, found) = prepare::prepare_by(&plan, stage, &settings, &self.bar);
         self.bar.end();
         self.tell(found);
-        let Some(prepared) = prepared else { return Err(End::SceneErrors) };
+        let Some(mut prepared) = prepared else { return Err(End::SceneErrors) };
         self.log.tell(&Event::Built {
             render: name.clone(),
             hash: stage.hash.to_string(),
@@ -282,7 +257,7 @@ impl<'a> Session<'a> {
             return Err(End::Interrupted);
         }
 
-        let Prepared { world, integrator, objects, .. } = &prepared;
+        let Prepared { world, integrator, .. } = &prepared;
         let (rule, window) = (asked.limits, world.film.window);
         let settings = run::Settings { seed: options.seed, until: asked.until() };
         self.log.tell(&Event::Rendering {
@@ -308,10 +283,15 @@ impl<'a> Session<'a> {
         self.bar.end();
         keeper.end(&outcome);
 
-        let finish = Finish { log: self.log, about: &asked.about, frame: &frame, rule };
+        let about = About {
+            biases: bias::measured(stage, &mut prepared, outcome.rays / 50, &self.sources, &keeper),
+            ..asked.about.clone()
+        };
+        let finish = Finish { log: self.log, about: &about, frame: &frame, rule };
         let object = outcome.invalid.and_then(|invalid| invalid.first.object);
-        let object = object.and_then(|number| objects.get(number as usize));
-        let first = object.map(|object| object.name.as_str());
+        let object = object.and_then(|number| prepared.objects.get(number as usize));
+        let first = object.map(|object| bias::object(&self.sources, object));
+        let first = first.as_deref();
         finish.tell(&outcome, first);
         let (tiles, interrupted) = match outcome.stopped {
             Stopped::Interrupted { tiles } => (tiles.map(|it| [it.done, it.of]), true),
@@ -373,14 +353,4 @@ impl<'a> Session<'a> {
 fn failed(text: &str) -> End {
     terminal::fail(text);
     End::NotDone
-}
-
-/// Names, not too many of them.
-fn listed(names: &[&str]) -> String {
-    const MOST: usize = 12;
-    let mut text = names[..names.len().min(MOST)].join(", ");
-    if names.len() > MOST {
-        text.push_str(&format!(" and {} more", names.len() - MOST));
-    }
-    text
 }

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::near::either;
+use super::log::shown;
+use super::near::{either, listed, near};
 use super::terminal;
 use crate::diag::Sources;
 use crate::files;
@@ -35,6 +36,38 @@ pub fn compile(
 /// The text of a scene file. None if it could not be read; why has been told.
 pub fn read(path: &Path) -> Option<String> {
     files::text::read(path).map_err(|failure| terminal::fail(&unread(path, &failure))).ok()
+}
+
+/// The renders that --only names, or all of them, in the order of the file; or why there are none.
+pub fn chosen(
+    renders: Vec<lang::Render>,
+    setups: &[String],
+    only: &[String],
+    file: &Path,
+) -> Result<Vec<lang::Render>, String> {
+    if renders.is_empty() {
+        let why = "asks for no picture: it only defines things for others";
+        return Err(format!("`{}` {why}", shown(file)));
+    }
+    let names: Vec<String> = renders.iter().map(|render| render.name.value.clone()).collect();
+    let all: Vec<&str> = names.iter().map(String::as_str).collect();
+    if let Some(unknown) = only.iter().find(|name| !names.contains(name)) {
+        let mut text = format!("{} has no render `{unknown}`", file.display());
+        let nearest = near(unknown, all.iter().copied());
+        if setups.contains(unknown) {
+            let example = format!("render {unknown}_alone: {unknown} {{}}");
+            text.push_str(&format!(
+                "; `{unknown}` is a setup, which is not drawn by itself: a render builds on it, as \
+                 in `{example}`"
+            ));
+        } else if !nearest.is_empty() {
+            text.push_str(&format!("; did you mean {}?", either(&nearest)));
+        }
+        text.push_str(&format!("\n  it has: {}", listed(&all)));
+        return Err(text);
+    }
+    let wanted = |render: &lang::Render| only.is_empty() || only.contains(&render.name.value);
+    Ok(renders.into_iter().filter(wanted).collect())
 }
 
 /// Why a scene file could not be read, with what was probably meant.

@@ -46,6 +46,8 @@ pub struct Bias {
     pub at: Span,
     /// What it does, without full stop.
     pub effect: String,
+    /// The same in a few words.
+    pub brief: String,
     /// The largest part that can be missing of the light that all surfaces scatter together, 0 to
     /// 1, if there is such a bound below 1.
     pub bound: Option<f64>,
@@ -79,6 +81,7 @@ fn preview(at: Span) -> Bias {
         at,
         effect: "no light is followed: the picture shows what is where, not how bright it is"
             .to_string(),
+        brief: "no light is followed".to_string(),
         bound: None,
         instead_write: "follow light: write `integrator: direct`",
         instead: None,
@@ -94,9 +97,13 @@ fn depth(survey: &Survey, at: Span) -> Option<Bias> {
     }
     let missing = "light that met more than one surface is missing";
     let bound = (brightest.albedo < 1.0).then_some(brightest.albedo);
+    let percent = (1000.0 * brightest.albedo).ceil() / 10.0;
+    let brief = match bound {
+        Some(_) => format!("at most {percent} % of the light on surfaces is missing"),
+        None => "any part of the light on surfaces may be missing".to_string(),
+    };
     let effect = match bound {
-        Some(albedo) => {
-            let percent = (100.0 * albedo * 10.0).ceil() / 10.0;
+        Some(_) => {
             let name = &*brightest.material.name;
             format!(
                 "{missing}; by the albedo of `{name}`, the brightest, at most {percent} % of all \
@@ -113,6 +120,7 @@ fn depth(survey: &Survey, at: Span) -> Option<Bias> {
         setting: "`direct`".to_string(),
         at,
         effect,
+        brief,
         bound,
         instead_write: "no integrator follows light further yet: render without `--unbiased`, and \
                         read the list of biases at the end",
@@ -130,6 +138,7 @@ fn constant_lights(survey: &Survey) -> Vec<Bias> {
         setting: format!("`light {}: constant` under `direct`", *light.name),
         at: light.value.span,
         effect: "it is seen behind the scene, and lights no surface".to_string(),
+        brief: "it lights no surface".to_string(),
         bound: None,
         instead_write: "leave the light out, or take a `directional` one or lamps in its place",
         instead: None,
@@ -150,6 +159,7 @@ fn no_shadows(survey: &Survey, direct: &scene::Direct) -> Option<Bias> {
         setting: "`shadows: off`".to_string(),
         at: direct.shadows.span,
         effect: "surfaces get light that others hide".to_string(),
+        brief: "surfaces hide no light".to_string(),
         bound: None,
         instead_write: "write `shadows: on`",
         instead: Some(Integrator::Direct(scene::Direct { shadows, ..direct.clone() })),
@@ -171,6 +181,7 @@ fn lamp_centres(survey: &Survey, direct: &scene::Direct) -> Option<Bias> {
         effect: "lamps shine from their centres: no half-shadows, and too bright or too dark near \
                  a lamp"
             .to_string(),
+        brief: "lamps shine from their centres".to_string(),
         bound: None,
         instead_write: "write `area_lights: random`",
         instead: Some(Integrator::Direct(scene::Direct { area_lights, ..direct.clone() })),

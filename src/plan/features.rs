@@ -141,7 +141,11 @@ impl Asked<'_> {
             (None, _) => (Need::Unneeded, "nothing shines on surfaces".to_string(), None),
             (_, None) => (Need::Unneeded, "all surfaces are black".to_string(), None),
             (Some(light), Some(lit)) => {
-                let why = format!("`{}` shines, `{}` gives light back", **light, *lit.object.name);
+                let (light, lit) = (light, &lit.object.name);
+                let why = match light.value == lit.value {
+                    true => format!("`{}` shines, and gives light back", **light),
+                    false => format!("`{}` shines, `{}` gives light back", **light, **lit),
+                };
                 (Need::Required, why, Some(light.span))
             }
         }

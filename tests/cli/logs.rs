@@ -40,7 +40,7 @@ fn each_line_for_machines_is_a_documented_object() {
         .map(|event| event["event"].as_str().unwrap())
         .filter(|name| *name != "progress")
         .collect();
-    let one = ["built", "rendering", "rendered", "written", "written"];
+    let one = ["built", "rendering", "rendered", "bias", "bias", "written", "written"];
     assert_eq!(names, [&["loaded"][..], &one, &one, &["done"]].concat());
     let rendered = events.iter().find(|event| event["event"] == "rendered").unwrap();
     assert_eq!(rendered["render"], "left");

@@ -8,6 +8,7 @@ mod interrupt;
 mod lint;
 mod logs;
 mod pictures;
+mod plan;
 mod replay;
 mod shards;
 mod start;

@@ -1,0 +1,176 @@
+//! Plans as people read them, in 80 columns.
+
+use super::forecast::{Limit, Reached};
+use super::{Planned, RULE};
+use crate::cli::limits::percent;
+use crate::cli::words::{counted, duration, rate, size};
+use crate::plan::Need;
+
+/// Columns of a line.
+const WIDTH: usize = 80;
+/// Where the text of a line begins.
+const INDENT: usize = 12;
+
+/// Objects whose memory is told one by one.
+const MOST_OBJECTS: usize = 6;
+
+/// All about one render.
+pub fn report(planned: &Planned) -> String {
+    let mut text = format!("\n{}\n", planned.render);
+    let mut put = |about: &str, lines: Vec<String>| {
+        for (nth, line) in lines.iter().enumerate() {
+            let about = if nth == 0 { about } else { "" };
+            text.push_str(&wrapped(&format!("  {about:<10}"), line));
+        }
+    };
+    let features = |built: bool| {
+        let wanted = planned.features.iter().filter(move |feature| feature.built == built);
+        wanted
+            .map(|feature| {
+                let forced = if feature.built && feature.need != Need::Required {
+                    "not required, but forced: "
+                } else {
+                    ""
+                };
+                format!("{}: {forced}{}", feature.feature.name(), feature.why)
+            })
+            .collect()
+    };
+    put("requires", features(true));
+    put("left out", features(false));
+    put("memory", memory(planned));
+    put("pilot", vec![pilot(planned)]);
+    put("limits", limits(planned));
+    put("error", targets(planned));
+    put("bias", planned.biases.iter().map(|bias| bias.line()).collect());
+    text
+}
+
+fn memory(planned: &Planned) -> Vec<String> {
+    let memory = &planned.memory;
+    let mut all = vec![format!(
+        "geometry {}, film {}; the process {} at most",
+        size(memory.geometry),
+        size(memory.film),
+        memory.peak.map_or("an unknown amount".to_string(), size)
+    )];
+    let mut objects: Vec<_> = memory.objects.iter().collect();
+    if objects.len() > 1 {
+        objects.sort_by_key(|object| std::cmp::Reverse(object.bytes));
+        let told = |object: &&super::OfObject| format!("{} {}", object.name, size(object.bytes));
+        let mut line =
+            objects.iter().take(MOST_OBJECTS).map(told).collect::<Vec<String>>().join(", ");
+        if objects.len() > MOST_OBJECTS {
+            line.push_str(&format!(" and {} more", objects.len() - MOST_OBJECTS));
+        }
+        all.push(line);
+    }
+    all
+}
+
+fn pilot(planned: &Planned) -> String {
+    let pilot = &planned.pilot;
+    let rays = pilot.samples_per_second * (1.0 + pilot.shadow_rays_per_sample);
+    let mut text = rate(rays as u64, 1.0);
+    match pilot.error {
+        Some(error) => {
+            let bound = if pilot.bound { "at most about " } else { "" };
+            let samples = counted(pilot.samples, "sample");
+            text.push_str(&format!("; error {bound}{} after {samples} a pixel", percent(error)));
+        }
+        None => text.push_str("; nothing is known of the error"),
+    }
+    text
+}
+
+/// What is reached, in words.
+fn told(reached: &Reached) -> String {
+    let seconds = duration(reached.seconds);
+    match reached.error {
+        Some(error) => format!("about {seconds}, error {}", percent(error)),
+        None => format!("about {seconds}"),
+    }
+}
+
+fn limits(planned: &Planned) -> Vec<String> {
+    let forecast = &planned.forecast;
+    let line = |limit: &Limit| {
+        let what = match limit.limit {
+            "samples" => format!("{} a pixel", counted(limit.value as u64, "sample")),
+            "time" => duration(limit.value),
+            _ => format!("an error of {}", percent(limit.value)),
+        };
+        let then = match (&limit.reached, limit.limit) {
+            (None, _) => "not to be told".to_string(),
+            (Some(reached), "samples") => told(reached),
+            (Some(reached), "time") => {
+                let error = reached.error.map(|error| format!(", error {}", percent(error)));
+                let samples = counted(reached.samples, "sample");
+                format!("about {samples} a pixel{}", error.unwrap_or_default())
+            }
+            (Some(reached), _) => {
+                let samples = counted(reached.samples, "sample");
+                format!("about {samples} a pixel, {}", duration(reached.seconds))
+            }
+        };
+        format!("{what}: {then}")
+    };
+    let mut all: Vec<String> = forecast.limits.iter().map(line).collect();
+    if let (Some(first), true) = (forecast.first, forecast.limits.len() > 1) {
+        all.push(format!("ends by {first}"));
+    }
+    all
+}
+
+fn targets(planned: &Planned) -> Vec<String> {
+    let line = |limit: &Limit| {
+        let reached = limit.reached?;
+        let samples = counted(reached.samples, "sample");
+        let seconds = duration(reached.seconds);
+        Some(format!("{} takes {samples} a pixel, about {seconds}", percent(limit.value)))
+    };
+    let mut all: Vec<String> = planned.forecast.targets.iter().filter_map(line).collect();
+    if !all.is_empty() {
+        all.push(RULE.to_string());
+        if planned.stratified {
+            all.push("cautious: stratified samples may need fewer".to_string());
+        }
+    }
+    all
+}
+
+/// A line that begins so, broken between words; what follows is indented.
+fn wrapped(begin: &str, text: &str) -> String {
+    let mut all = String::new();
+    let mut line = begin.to_string();
+    let mut empty = true;
+    for word in text.split(' ') {
+        if !empty && line.chars().count() + 1 + word.chars().count() > WIDTH {
+            all.push_str(&line);
+            all.push('\n');
+            line = " ".repeat(INDENT);
+            empty = true;
+        }
+        if !empty {
+            line.push(' ');
+        }
+        line.push_str(word);
+        empty = false;
+    }
+    all + &line + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_broken_between_words() {
+        let text = wrapped("  requires  ", &"word ".repeat(30));
+        assert!(text.lines().all(|line| line.chars().count() <= WIDTH), "{text}");
+        assert!(text.lines().skip(1).all(|line| line.starts_with("            word")), "{text}");
+        assert_eq!(text.matches("word").count(), 30);
+        let long = "x".repeat(100);
+        assert_eq!(wrapped("  memory    ", &long), format!("  memory    {long}\n"));
+    }
+}

@@ -1,0 +1,146 @@
+//! What makes a picture systematically wrong is found where it is, and only there; and what it is
+//! said to cost is what it costs.
+
+mod by_hand;
+
+use glam::{DVec3, dvec3};
+use scn::plan::{Kind, biases, errors};
+use scn::prepare::{self, Prepared};
+use scn::run::{self, Difference};
+use scn::scene::{AreaLights, Integrator, Preview};
+
+use by_hand::{Hand, Patient, Ticking, direct, integrator, render, still_life};
+
+fn kinds(hand: &Hand) -> Vec<Kind> {
+    biases(&hand.stage()).iter().map(|bias| bias.kind).collect()
+}
+
+/// A grey floor in the sun.
+fn floor() -> Hand {
+    Hand::new(direct())
+        .material("grey", 0.5, 0.0)
+        .material("black", 0.0, 0.0)
+        .material("lamp", 0.0, 3.0)
+        .quad(DVec3::ZERO, DVec3::X * 9.0, DVec3::Y * 9.0, "grey")
+        .directional(dvec3(0.3, 0.0, -1.0), 2.0)
+        .camera(dvec3(0.0, -2.0, 5.0), DVec3::ZERO, 40.0)
+}
+
+fn with_ball(hand: Hand, material: &str) -> Hand {
+    hand.sphere(dvec3(0.0, 0.0, 1.0), 0.5, material)
+}
+
+#[test]
+fn biases_are_found_where_they_are_and_nowhere_else() {
+    let off = || integrator(false, AreaLights::Random);
+    let centre = || integrator(true, AreaLights::Center);
+    let lamp = |hand: Hand| hand.quad(dvec3(0.0, 0.0, 3.0), DVec3::Y, DVec3::X, "lamp");
+    let preview = || Integrator::Preview(Preview {});
+    use Kind::{ConstantLight, Depth, LampCentres, NoShadows};
+    for (hand, expected) in [
+        (floor(), vec![]),
+        // Black surfaces hide light, and give none back.
+        (with_ball(floor(), "black"), vec![]),
+        (with_ball(floor(), "grey"), vec![Depth]),
+        (lamp(floor()), vec![]),
+        (floor().integrator(off()), vec![]),
+        (with_ball(floor(), "black").integrator(off()), vec![NoShadows]),
+        (with_ball(floor(), "grey").integrator(off()), vec![Depth, NoShadows]),
+        (floor().integrator(centre()), vec![]),
+        (lamp(floor()).integrator(centre()), vec![LampCentres]),
+        (floor().background(1.0), vec![ConstantLight]),
+        (floor().background(0.0), vec![]),
+        (still_life(), vec![Depth, ConstantLight]),
+        (still_life().integrator(preview()), vec![Kind::Preview]),
+        (
+            still_life().integrator(integrator(false, AreaLights::Center)),
+            vec![Depth, ConstantLight, NoShadows, LampCentres],
+        ),
+        // Nothing shines, or nothing is there to be lit.
+        (with_ball(Hand::new(off()).material("grey", 0.5, 0.0), "grey"), vec![]),
+        (with_ball(Hand::new(off()).material("black", 0.0, 0.0), "black").background(1.0), vec![]),
+    ] {
+        assert_eq!(kinds(&hand), expected, "{:?}", hand.scene.integrator);
+        for bias in biases(&hand.stage()) {
+            let fault = errors::biased(&bias);
+            assert!(!fault.headline.ends_with('.') && fault.help.is_some());
+        }
+    }
+}
+
+#[test]
+fn the_depth_is_bounded_by_the_largest_albedo_in_use() {
+    let bound = |hand: Hand| biases(&hand.stage())[0].bound;
+    assert_eq!(bound(with_ball(floor(), "grey")), Some(0.5));
+    let hand = floor().material("white", 0.75, 0.0).material("unused", 0.9, 0.0);
+    assert_eq!(bound(with_ball(hand, "white")), Some(0.75));
+    let hand = floor().material("mirror", 1.0, 0.0);
+    assert_eq!(bound(with_ball(hand, "mirror")), None);
+}
+
+/// What the biases of a scene are measured to cost.
+fn measured(hand: &Hand) -> Vec<(Kind, Difference)> {
+    let stage = hand.stage();
+    let Prepared { mut world, integrator, .. } = hand.prepared();
+    let one = |bias: &scn::plan::Bias| {
+        let instead = prepare::other_integrator(&stage, bias.instead.as_ref()?);
+        let found = run::difference(&mut world, &integrator, &instead, 1 << 20, &Patient);
+        Some((bias.kind, found.unwrap()))
+    };
+    biases(&stage).iter().filter_map(one).collect()
+}
+
+/// Mean luminance of the scene's picture.
+fn mean(hand: &Hand) -> f64 {
+    let picture = render(&hand.prepared(), 77, 256, &Patient).picture;
+    let sum: f64 = picture.pixels.iter().map(|pixel| f64::from(pixel.luminance())).sum();
+    sum / picture.pixels.len() as f64
+}
+
+#[test]
+fn what_a_bias_is_said_to_cost_is_what_it_costs() {
+    for (shadows, area_lights) in [(false, AreaLights::Random), (true, AreaLights::Center)] {
+        let hand = still_life().integrator(integrator(shadows, area_lights));
+        let (biased, right) = (mean(&hand), mean(&still_life()));
+        let truth = biased / right - 1.0;
+        let all = measured(&hand);
+        let [(_, found)] = all[..] else { panic!("{all:?}") };
+        let apart = (found.relative - truth).abs();
+        // The long renders have noise of their own: about 0.1 %.
+        assert!(apart < 4.0 * found.standard_error.hypot(1e-3), "{found:?} {truth}");
+        assert!(found.standard_error < 0.02, "{found:?}");
+        assert!(shadows || found.relative > 4.0 * found.standard_error, "{found:?} {truth}");
+        assert!((1 << 15..=1 << 16).contains(&found.samples));
+    }
+}
+
+#[test]
+fn the_world_is_as_before_after_measuring() {
+    let hand = still_life().integrator(integrator(false, AreaLights::Random)).samples(2);
+    let before = hand.picture();
+    let stage = hand.stage();
+    let mut prepared = hand.prepared();
+    let instead = prepare::other_integrator(&stage, biases(&stage)[2].instead.as_ref().unwrap());
+    let Prepared { world, integrator, .. } = &mut prepared;
+    assert!(run::difference(world, integrator, &instead, 0, &Patient).is_some());
+    // Cancelled, it tells nothing.
+    let cancelled = Ticking::new(0.1, 3);
+    assert_eq!(run::difference(world, integrator, &instead, 0, &cancelled), None);
+    assert_eq!(render(&prepared, 0, 2, &Patient).picture, before);
+}
+
+#[test]
+fn a_pilot_run_tells_the_noise_of_the_picture() {
+    let hand = still_life().size(96, 80).grid(1);
+    let prepared = hand.prepared();
+    let Prepared { world, integrator, .. } = &prepared;
+    let pilot = run::pilot(world, integrator, 3, &|| 0.0);
+    let whole = render(&prepared, 4, pilot.samples, &Patient);
+    let (told, real) = (pilot.noise.unwrap().relmse, whole.noise.unwrap().relmse);
+    assert!((told / real).ln().abs() < 0.25, "{told} {real}");
+    assert!(!pilot.bound && pilot.rate().is_finite());
+    let again = run::pilot(world, integrator, 3, &|| 0.0);
+    assert_eq!((pilot.noise, pilot.pixels), (again.noise, again.pixels));
+    let shadow_rays = whole.shadow_rays as f64 / whole.rays as f64;
+    assert!((pilot.shadow_rays / shadow_rays - 1.0).abs() < 0.05, "{pilot:?} {shadow_rays}");
+}
