@@ -80,7 +80,7 @@ impl Finish<'_> {
     ) -> Result<(), End> {
         let kept = Kept {
             kind: Kind::Part,
-            about: asked.about.clone(),
+            about: self.about.clone(),
             frame: self.frame.clone(),
             limits: asked.limits,
             slice: asked.slice,

@@ -283,10 +283,11 @@ impl<'a> Session<'a> {
         self.bar.end();
         keeper.end(&outcome);
 
-        let about = About {
-            biases: bias::measured(stage, &mut prepared, outcome.rays / 50, &self.sources, &keeper),
-            ..asked.about.clone()
-        };
+        // The same for a shard as for the whole, so that what is joined tells the same.
+        let samples = asked.slice.map_or(outcome.samples, |slice| slice.samples);
+        let samples = samples.saturating_mul(window.pixels()) / 50;
+        let biases = bias::measured(stage, &mut prepared, samples, &self.sources, &keeper);
+        let about = About { biases, ..asked.about.clone() };
         let finish = Finish { log: self.log, about: &about, frame: &frame, rule };
         let object = outcome.invalid.and_then(|invalid| invalid.first.object);
         let object = object.and_then(|number| prepared.objects.get(number as usize));

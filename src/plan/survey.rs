@@ -84,7 +84,8 @@ impl<'a> Survey<'a> {
     /// The surface that gives most light back; None if all are black.
     pub fn brightest(&self) -> Option<&Surface<'a>> {
         let scatters = self.surfaces.iter().filter(|surface| surface.albedo > 0.0);
-        scatters.max_by(|a, b| a.albedo.total_cmp(&b.albedo))
+        // The first of equals.
+        scatters.rev().max_by(|a, b| a.albedo.total_cmp(&b.albedo))
     }
 
     /// The only object there is, if no part of it can hide light from another part that is seen.

@@ -92,7 +92,7 @@ fn a_render_tells_its_biases() {
     let run = bench.run("render biased.scn --only left").well();
     assert!(run.stdout.contains("`shadows: off` (biased.scn:5): on average "), "{}", run.stdout);
     assert!(run.stdout.contains("`light sky: constant` under `direct` (biased.scn:8): it lights"));
-    let told = word(bench.path("out/biased/left.exr"), "scn:bias").unwrap();
+    let told = word(bench.path("out/biased/left.png"), "scn:bias").unwrap();
     assert_eq!(told.lines().count(), 3, "{told}");
     assert!(told.contains("too bright"), "{told}");
 }
@@ -114,5 +114,5 @@ fn biases_are_refused_before_anything_is_done() {
     bench.put("floor.scn", alone);
     let run = bench.run("render floor.scn --unbiased").well();
     assert!(!run.stdout.contains("bias"), "{}", run.stdout);
-    assert_eq!(word(bench.path("out/floor/left.exr"), "scn:bias"), None);
+    assert_eq!(word(bench.path("out/floor/left.png"), "scn:bias"), None);
 }
