@@ -222,7 +222,9 @@ fn human(event: &Event) -> String {
             if let Some(bytes) = peak_memory {
                 text.push_str(&line("memory", &format!("{} at most", size(*bytes))));
             }
-            if limits::several(limits) || ["time", "error"].contains(stopped_by) {
+            if limits::several(limits) && *stopped_by != "interruption"
+                || ["time", "error"].contains(stopped_by)
+            {
                 let reached = counted(*samples, "ray");
                 text.push_str(&line(
                     "stopped",
