@@ -24,6 +24,7 @@ pub(super) fn prepare(integrator: &scene::Integrator, plan: &Plan) -> Integrator
 pub(super) fn sampler(sampler: &scene::Sampler) -> Sampler {
     match sampler {
         scene::Sampler::Independent(_) => Sampler::Independent,
+        scene::Sampler::Sobol(sobol) => Sampler::Sobol { round: sobol.round.0 as u32 },
         scene::Sampler::Stratified(stratified) => {
             Sampler::Stratified { grid: stratified.grid.0 as u32 }
         }

@@ -26,7 +26,7 @@ pub use integrator::{AreaLights, Direct, Integrator, Preview};
 pub use light::{Constant, Directional, Light};
 pub use material::{Diffuse, Material};
 pub use object::{Ambient, Disk, Mesh, Object, Plane, Quad, Sphere, Triangle};
-pub use sampler::{Independent, Sampler, Stratified};
+pub use sampler::{Independent, Sampler, Sobol, Stratified};
 pub use stop::Stop;
 pub use values::{
     Angle, Coefficient, Count, Direction, Exposure, FileName, Flux, Index, Irradiance, Length,

@@ -94,7 +94,7 @@ kinds! {
         /// How the light that reaches the camera is computed.
         integrator: Integrator;
         /// Where the random numbers come from.
-        sampler: Sampler = "stratified {}";
+        sampler: Sampler = "sobol {}";
         /// When the picture is done.
         stop: Stop = "{}";
     }

@@ -1,6 +1,6 @@
 //! Samplers: streams of random numbers. Each is a pure function of (seed, pixel, sample,
-//! dimension); two dimensions are stratified together, dimensions among each other are not
-//! (padding: an independent shuffle each).
+//! dimension). Numbers come in pairs; the two of a pair, for `sobol` those of two pairs, are spread
+//! evenly together, pairs among each other are not (padding: an independent shuffle each).
 
 use serde::{Deserialize, Serialize};
 
@@ -11,6 +11,11 @@ use crate::math::random;
 pub enum Sampler {
     /// Every number by itself.
     Independent,
+    /// Owen-scrambled Sobol points, scrambled anew for each pixel and round [Burley20].
+    Sobol {
+        /// Samples of a round, 1 to 65,536.
+        round: u32,
+    },
     /// Jittered: grid × grid cells, each sample in a cell of its own.
     Stratified {
         /// Cells along each side, 1 to 1024.
@@ -47,6 +52,7 @@ impl Sampler {
     pub fn rhythm(&self) -> Rhythm {
         let round = match *self {
             Self::Independent => 1,
+            Self::Sobol { round } => u64::from(round),
             Self::Stratified { grid } => u64::from(grid) * u64::from(grid),
         };
         Rhythm { round, block: LEAST_BLOCK.max(2 * round).next_multiple_of(round) }
@@ -58,16 +64,35 @@ impl Sampler {
         let pixel = random::at(random::mix(seed), pixel);
         match *self {
             Self::Independent => {
-                Stream { place: random::at(pixel, sample), dimension: 0, strata: None }
+                Stream { place: random::at(pixel, sample), dimension: 0, spread: Spread::None }
+            }
+            Self::Sobol { round } => {
+                let index = (sample % u64::from(round)) as u32;
+                let place = random::at(!pixel, sample / u64::from(round));
+                Stream { place, dimension: 0, spread: Spread::Sobol { index, next: [0.0; 2] } }
             }
             Self::Stratified { grid } => {
                 let cells = u64::from(grid) * u64::from(grid);
                 let index = (sample % cells) as u32;
                 let strata = Strata { grid, index, round: random::at(!pixel, sample / cells) };
-                Stream { place: random::at(pixel, sample), dimension: 0, strata: Some(strata) }
+                let spread = Spread::Strata(strata);
+                Stream { place: random::at(pixel, sample), dimension: 0, spread }
             }
         }
     }
+}
+
+/// How the numbers of a sample are spread among those of others.
+#[derive(Clone, Copy, Debug)]
+enum Spread {
+    None,
+    Strata(Strata),
+    Sobol {
+        /// Which sample of the round it is.
+        index: u32,
+        /// The second pair of the last two.
+        next: [f64; 2],
+    },
 }
 
 /// The cells of a sample's round: grid² samples that fill every cell once.
@@ -85,7 +110,7 @@ struct Strata {
 pub struct Stream {
     place: u64,
     dimension: u64,
-    strata: Option<Strata>,
+    spread: Spread,
 }
 
 impl Stream {
@@ -93,8 +118,21 @@ impl Stream {
     pub fn pair(&mut self) -> [f64; 2] {
         let dimension = self.dimension;
         self.dimension += 1;
-        let [x, y] = random::unit_pair(random::at(self.place, dimension));
-        let Some(Strata { grid, index, round }) = self.strata else { return [x, y] };
+        let at = |dimension| random::at(self.place, dimension);
+        let Strata { grid, index, round } = match &mut self.spread {
+            Spread::None => return random::unit_pair(at(dimension)),
+            Spread::Strata(strata) => *strata,
+            Spread::Sobol { index, next } => {
+                if dimension % 2 == 1 {
+                    return *next;
+                }
+                let [a, b, c, d] =
+                    sobol_burley::sample_4d(*index, 0, at(dimension) as u32).map(f64::from);
+                *next = [c, d];
+                return [a, b];
+            }
+        };
+        let [x, y] = random::unit_pair(at(dimension));
         let cell = random::shuffled(index, grid * grid, random::at(round, dimension));
         let side = f64::from(grid);
         [(f64::from(cell % grid) + x) / side, (f64::from(cell / grid) + y) / side]
@@ -107,6 +145,7 @@ mod tests {
     use crate::math::chi_squared;
 
     const STRATIFIED: Sampler = Sampler::Stratified { grid: 4 };
+    const SOBOL: Sampler = Sampler::Sobol { round: 64 };
 
     fn bin([x, y]: [f64; 2], side: usize) -> usize {
         assert!((0.0..1.0).contains(&x) && (0.0..1.0).contains(&y));
@@ -128,9 +167,10 @@ mod tests {
     #[test]
     fn every_sample_is_uniform_by_itself() {
         // So every prefix of a round is unbiased, not only whole rounds.
-        for sampler in [Sampler::Independent, STRATIFIED, Sampler::Stratified { grid: 3 }] {
+        let stratified = Sampler::Stratified { grid: 3 };
+        for sampler in [Sampler::Independent, STRATIFIED, stratified, SOBOL] {
             for sample in [0, 1, 8, 15, 16, 1_000_003] {
-                for dimension in 0..2 {
+                for dimension in 0..3 {
                     let mut counts = [0; 64];
                     for pixel in 0..20_000 {
                         let mut stream = sampler.stream(5, pixel, sample);
@@ -145,16 +185,75 @@ mod tests {
 
     #[test]
     fn dimensions_rounds_pixels_and_seeds_are_independent() {
-        let first = |seed, pixel, sample| STRATIFIED.stream(seed, pixel, sample).pair();
-        let mut counts = [[0; 256]; 4];
-        for i in 0..40_000 {
-            let mut stream = STRATIFIED.stream(3, i, 5);
-            let a = bin(stream.pair(), 4);
-            let others = [stream.pair(), first(3, i, 21), first(3, i + 1, 5), first(4, i, 5)];
-            for (counts, b) in counts.iter_mut().zip(others) {
-                counts[a * 16 + bin(b, 4)] += 1;
+        for (sampler, round) in [(STRATIFIED, 16), (SOBOL, 64)] {
+            let first = |seed, pixel, sample| sampler.stream(seed, pixel, sample).pair();
+            let mut counts = [[0; 256]; 5];
+            for i in 0..40_000 {
+                let mut stream = sampler.stream(3, i, 5);
+                let a = bin(stream.pair(), 4);
+                let others = [
+                    stream.pair(),
+                    stream.pair(),
+                    first(3, i, 5 + round),
+                    first(3, i + 1, 5),
+                    first(4, i, 5),
+                ];
+                for (counts, b) in counts.iter_mut().zip(others) {
+                    counts[a * 16 + bin(b, 4)] += 1;
+                }
+            }
+            counts.iter().for_each(|c| chi_squared::assert_fits(c, &[1.0 / 256.0; 256]));
+        }
+    }
+
+    #[test]
+    fn sobol_fills_every_elementary_interval() {
+        // Any 2ⁿ first samples of a round of at least so many: each box of 2⁻ᵃ × 2⁻ᵇ with
+        // a + b = n holds one. (Of the second of two pairs that is nearly so.)
+        for (pixel, round, dimension) in [(0, 0, 0), (5, 0, 0), (9, 3, 2), (1 << 40, 77, 4)] {
+            for n in 0..=6_u32 {
+                let points: Vec<[f64; 2]> = (0..1_u64 << n)
+                    .map(|i| {
+                        let mut stream = SOBOL.stream(1, pixel, round * 64 + i);
+                        (0..dimension).for_each(|_| _ = stream.pair());
+                        stream.pair()
+                    })
+                    .collect();
+                for a in 0..=n {
+                    let (columns, rows) = (f64::from(1 << a), f64::from(1 << (n - a)));
+                    let cell = |[x, y]: &[f64; 2]| ((x * columns) as u32, (y * rows) as u32);
+                    let seen: std::collections::HashSet<_> = points.iter().map(cell).collect();
+                    assert_eq!(seen.len(), points.len(), "{n} {a}");
+                }
             }
         }
-        counts.iter().for_each(|c| chi_squared::assert_fits(c, &[1.0 / 256.0; 256]));
+    }
+
+    #[test]
+    fn evenly_spread_samples_err_less() {
+        // Root mean square error of the area of a quarter disk, and of a smooth product of two
+        // pairs, by 64 samples: against independent ones.
+        let error = |sampler: Sampler, value: fn([f64; 2], [f64; 2]) -> f64, truth: f64| {
+            let pixels = 2000;
+            let of_pixel = |pixel: u64| {
+                let sample = |i: u64| {
+                    let mut stream = sampler.stream(7, pixel, i);
+                    let first = stream.pair();
+                    value(first, stream.pair())
+                };
+                ((0..64).map(sample).sum::<f64>() / 64.0 - truth).powi(2)
+            };
+            ((0..pixels).map(of_pixel).sum::<f64>() / pixels as f64).sqrt()
+        };
+        let disk = |[x, y]: [f64; 2], _: [f64; 2]| f64::from(u8::from(x * x + y * y < 1.0));
+        let area = std::f64::consts::FRAC_PI_4;
+        let independent = error(Sampler::Independent, disk, area);
+        let jittered = error(Sampler::Stratified { grid: 8 }, disk, area);
+        let sobol = error(SOBOL, disk, area);
+        assert!(sobol < 0.4 * independent && sobol < jittered, "{independent} {jittered} {sobol}");
+        let product = |[x, y]: [f64; 2], [z, w]: [f64; 2]| x * y * z * w;
+        let independent = error(Sampler::Independent, product, 1.0 / 16.0);
+        let sobol = error(SOBOL, product, 1.0 / 16.0);
+        assert!(sobol < 0.4 * independent, "{independent} {sobol}");
     }
 }
