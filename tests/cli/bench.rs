@@ -6,10 +6,10 @@ use std::process::{Command, Output};
 /// Two small pictures without any file beside.
 pub const BALL: &str = "\
 scn 1 in m
-
 film: { size: (32, 24) }
 camera: perspective { eye: (0, 0, 4), look_at: (0, 0, 0), fov_y: 40 deg }
 integrator: direct
+sampler: stratified {}
 stop: { samples: 4 }
 light sun: directional { direction: (-1, -1, -1), irradiance: pi * W/m^2 }
 light sky: constant { radiance: rgb(0.8, 0.9, 1) * W/m^2/sr }
