@@ -75,9 +75,9 @@ pub fn with_unit(
     let right = text.and_then(|text| super::unit_tail::replaced(text, found, &unit));
     match right {
         None => told,
-        Some(right) if unit.is_empty() => {
-            told.help("a plain number takes no unit").mend(format!("write `{right}`"), span, right)
-        }
+        Some(right) if unit.is_empty() => told
+            .help(format!("write `{right}`: a plain number takes no unit"))
+            .mend(format!("write `{right}`"), span, right),
         Some(right) => told.help(format!("write `{right}`, if the number is meant so")).mend(
             format!("write `{right}`"),
             span,
