@@ -157,6 +157,15 @@ mod tests {
     use super::*;
 
     #[test]
+    fn an_object_is_told_with_its_place() {
+        let mut sources = Sources::new();
+        let file = sources.add("a.scn", "scn 1\n\nobject ball: sphere {}\n");
+        let span = Span::new(file, 14, 18);
+        let note = ObjectNote { name: "ball".into(), span, triangles: 0, bytes: 0 };
+        assert_eq!(object(&sources, &note), "object `ball` (a.scn:3)");
+    }
+
+    #[test]
     fn costs_are_told_in_a_line() {
         let mut told = Told::plain("no_shadows", "`shadows: off`".into(), "nothing is hidden");
         assert_eq!(told.line(), "`shadows: off`: nothing is hidden");

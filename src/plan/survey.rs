@@ -42,8 +42,14 @@ impl<'a> Survey<'a> {
                 Object::Triangle(triangle) => &triangle.material,
                 Object::Mesh(_) => {
                     let Some(mesh) = mesh else { continue };
-                    let mut used = vec![false; mesh.materials.len()];
-                    mesh.mesh.slots.iter().for_each(|slot| used[*slot as usize] = true);
+                    let slots = &mesh.mesh.slots;
+                    // Without slots every triangle has the first material.
+                    let mut used = vec![slots.is_empty(); mesh.materials.len()];
+                    for slot in slots {
+                        if let Some(used) = used.get_mut(*slot as usize) {
+                            *used = true;
+                        }
+                    }
                     let used = mesh.materials.iter().zip(used).filter(|(_, used)| *used);
                     surfaces.extend(used.map(|(material, _)| Surface::new(object, material)));
                     continue;

@@ -83,12 +83,18 @@ fn pilot(planned: &Planned) -> String {
     text
 }
 
+/// A time that is not to be taken to the second.
+fn about(seconds: f64) -> String {
+    let told = duration(seconds);
+    if told.starts_with("under") { told } else { format!("about {told}") }
+}
+
 /// What is reached, in words.
 fn told(reached: &Reached) -> String {
-    let seconds = duration(reached.seconds);
+    let seconds = about(reached.seconds);
     match reached.error {
-        Some(error) => format!("about {seconds}, error {}", percent(error)),
-        None => format!("about {seconds}"),
+        Some(error) => format!("{seconds}, error {}", percent(error)),
+        None => seconds,
     }
 }
 
@@ -126,8 +132,8 @@ fn targets(planned: &Planned) -> Vec<String> {
     let line = |limit: &Limit| {
         let reached = limit.reached?;
         let samples = counted(reached.samples, "sample");
-        let seconds = duration(reached.seconds);
-        Some(format!("{} takes {samples} a pixel, about {seconds}", percent(limit.value)))
+        let seconds = about(reached.seconds);
+        Some(format!("{} takes {samples} a pixel, {seconds}", percent(limit.value)))
     };
     let mut all: Vec<String> = planned.forecast.targets.iter().filter_map(line).collect();
     if !all.is_empty() {
@@ -144,7 +150,9 @@ fn wrapped(begin: &str, text: &str) -> String {
     let mut all = String::new();
     let mut line = begin.to_string();
     let mut empty = true;
-    for word in text.split(' ') {
+    // A number stays with its sign and its unit.
+    let glued = text.replace(" %", "\u{a0}%").replace("± ", "±\u{a0}");
+    for word in glued.split(' ') {
         if !empty && line.chars().count() + 1 + word.chars().count() > WIDTH {
             all.push_str(&line);
             all.push('\n');
@@ -154,7 +162,7 @@ fn wrapped(begin: &str, text: &str) -> String {
         if !empty {
             line.push(' ');
         }
-        line.push_str(word);
+        line.push_str(&word.replace('\u{a0}', " "));
         empty = false;
     }
     all + &line + "\n"
@@ -170,6 +178,8 @@ mod tests {
         assert!(text.lines().all(|line| line.chars().count() <= WIDTH), "{text}");
         assert!(text.lines().skip(1).all(|line| line.starts_with("            word")), "{text}");
         assert_eq!(text.matches("word").count(), 30);
+        let cost = wrapped("  bias      ", &format!("{} 1.3 ± 0.2 % more", "x".repeat(58)));
+        assert!(cost.contains("\n            ± 0.2 % more\n"), "{cost}");
         let long = "x".repeat(100);
         assert_eq!(wrapped("  memory    ", &long), format!("  memory    {long}\n"));
     }
