@@ -206,7 +206,6 @@ impl<'a> Keeper<'a> {
         state.last = self.watcher.now();
         match written {
             Ok(()) => {
-                state.told = false;
                 self.log.tell(&Event::Checkpoint {
                     render: words.about.render.clone(),
                     file: shown(path),
