@@ -90,7 +90,7 @@ struct Mentions {
     /// As bases of setups and renders.
     bases: HashSet<String>,
     /// How names with values in them begin, of strings and of bases.
-    begun: Vec<String>,
+    begun: HashSet<String>,
 }
 
 impl Mentions {
@@ -132,8 +132,12 @@ impl Mentions {
             [Piece::Words(words)] => {
                 self.words.insert(words.clone());
             }
-            [Piece::Words(words), ..] => self.begun.push(words.clone()),
-            [Piece::Value(_), ..] => self.begun.push(String::new()),
+            [Piece::Words(words), ..] => {
+                self.begun.insert(words.clone());
+            }
+            [Piece::Value(_), ..] => {
+                self.begun.insert(String::new());
+            }
         });
     }
 
@@ -154,13 +158,19 @@ impl Mentions {
                 self.words.insert(words.clone());
                 self.bases.insert(words.clone());
             }
-            [Piece::Words(words), ..] => self.begun.push(words.clone()),
-            _ => self.begun.push(String::new()),
+            [Piece::Words(words), ..] => {
+                self.begun.insert(words.clone());
+            }
+            _ => {
+                self.begun.insert(String::new());
+            }
         }
     }
 
     fn has(&self, name: &str) -> bool {
-        self.words.contains(name) || self.begun.iter().any(|begun| name.starts_with(&**begun))
+        let mut beginnings = name.char_indices().map(|(at, _)| &name[..at]).chain([name]);
+        self.words.contains(name)
+            || !self.begun.is_empty() && beginnings.any(|begun| self.begun.contains(begun))
     }
 }
 

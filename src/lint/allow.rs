@@ -205,7 +205,8 @@ fn covered(text: &str, comments: &[Range<usize>], i: usize) -> Range<usize> {
 
 /// The end of what begins on the line at `start`: of the line where all its brackets are closed.
 fn block_end(text: &str, comments: &[Range<usize>], start: usize) -> usize {
-    let mut next = comments.iter().skip_while(|comment| comment.start < start).peekable();
+    let first = comments.partition_point(|comment| comment.start < start);
+    let mut next = comments[first..].iter().peekable();
     let mut depth = 0_isize;
     let mut quoted = false;
     let bytes = text.as_bytes();
