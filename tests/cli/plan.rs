@@ -25,8 +25,8 @@ fn a_plan_is_readable_in_80_columns_and_writes_nothing() {
         "  limits    4 samples a pixel: about ",
         "  error     1 % takes ",
         "            twice the time, 0.71 times the error\n",
-        "  bias      `direct` (biased.scn:5): at most 80 % of the light on surfaces is\n",
-        "            `shadows: off` (biased.scn:5): on average ",
+        "  bias      `direct` (biased.scn:4): at most 80 % of the light on surfaces is\n",
+        "            `shadows: off` (biased.scn:4): on average ",
         "bright\n",
     ] {
         assert!(run.stdout.contains(words), "{words:?} is not in:\n{}", run.stdout);
@@ -90,7 +90,7 @@ fn everything_can_be_put_in() {
 fn a_render_tells_its_biases() {
     let bench = biased();
     let run = bench.run("render biased.scn --only left").well();
-    assert!(run.stdout.contains("`shadows: off` (biased.scn:5): on average "), "{}", run.stdout);
+    assert!(run.stdout.contains("`shadows: off` (biased.scn:4): on average "), "{}", run.stdout);
     assert!(run.stdout.contains("`light sky: constant` under `direct` (biased.scn:8): it lights"));
     let told = word(bench.path("out/biased/left.png"), "scn:bias").unwrap();
     assert_eq!(told.lines().count(), 3, "{told}");
