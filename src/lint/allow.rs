@@ -4,9 +4,12 @@
 //! that is no comment; where an item or a field begins there, of all of it. Errors cannot be
 //! allowed. A finding in a mesh or .mtl file is allowed where the scene names that file.
 
+mod blocks;
+
 use std::collections::HashMap;
 use std::ops::Range;
 
+use self::blocks::{Blocks, Lines};
 use super::{Look, errors, rules};
 use crate::diag::{CODES, Code, Diagnostic, FileId, Level, Sources, Span};
 use crate::lang::{comments, outline::Outline};
@@ -36,7 +39,12 @@ struct Allowed {
     text: String,
     at: Span,
     code: Option<Code>,
-    used: bool,
+}
+
+/// What the comments of a text allow.
+struct Allows {
+    all: Vec<Allow>,
+    blocks: Blocks,
 }
 
 /// The findings that no comment allows, and what is wrong with comments of the main file.
@@ -48,10 +56,15 @@ pub fn allowed(
 ) -> Vec<Diagnostic> {
     let mut kept = Vec::new();
     let mut own = Vec::new();
-    let mut allows: HashMap<FileId, Vec<Allow>> = HashMap::new();
+    let mut allows: HashMap<FileId, Allows> = HashMap::new();
     for (i, file) in outline.files.iter().enumerate() {
         let mut faults = Vec::new();
-        allows.insert(*file, read(&sources.get(*file).text, *file, &mut faults));
+        let all = read(&sources.get(*file).text, *file, &mut faults);
+        let blocks = Blocks::of(all.iter().flat_map(|allow| {
+            let codes = allow.names.iter().filter_map(|name| name.code);
+            codes.map(|code| (&allow.covers, code))
+        }));
+        allows.insert(*file, Allows { all, blocks });
         if i == 0 {
             own = faults;
         }
@@ -59,29 +72,26 @@ pub fn allowed(
     for diagnostic in found {
         let place = diagnostic.labels.iter().find(|label| allows.contains_key(&label.span.file));
         let here = place.and_then(|label| Some((label.span, allows.get_mut(&label.span.file)?)));
-        let mut is_allowed = false;
-        if let Some((span, all)) = here.filter(|_| diagnostic.level < Level::Error) {
-            for allow in all.iter_mut().filter(|it| it.covers.contains(&(span.start as usize))) {
-                for name in allow.names.iter_mut().filter(|it| it.code == Some(diagnostic.code)) {
-                    name.used = true;
-                    is_allowed = true;
-                }
-            }
-        }
+        let is_allowed =
+            here.filter(|_| diagnostic.level < Level::Error).is_some_and(|(span, allows)| {
+                allows.blocks.allow(diagnostic.code, span.start as usize)
+            });
         if !is_allowed {
             kept.push(diagnostic);
         }
     }
-    let main = outline.files.first();
-    for allow in main.and_then(|file| allows.get(file)).into_iter().flatten() {
-        judge(allow, &sources.get(allow.comment.file).text, seen, &mut own);
+    if let Some(allows) = outline.files.first().and_then(|file| allows.get(file)) {
+        for allow in &allows.all {
+            let text = &sources.get(allow.comment.file).text;
+            judge(allow, &allows.blocks, text, seen, &mut own);
+        }
     }
     kept.extend(own);
     kept
 }
 
 /// Tells what is wrong with a comment, now that it is known what it allowed.
-fn judge(allow: &Allow, text: &str, seen: Seen, found: &mut Vec<Diagnostic>) {
+fn judge(allow: &Allow, blocks: &Blocks, text: &str, seen: Seen, found: &mut Vec<Diagnostic>) {
     if !allow.reason {
         found.push(errors::without_reason(allow.comment));
     }
@@ -91,7 +101,9 @@ fn judge(allow: &Allow, text: &str, seen: Seen, found: &mut Vec<Diagnostic>) {
             .any(|rule| rule.code == code && matches!(rule.look, Look::Text(_)));
         seen.whole && (seen.renders || !needs_renders)
     };
-    let unused = |name: &&Allowed| !name.used && name.code.is_some_and(can_tell);
+    let unused = |name: &&Allowed| {
+        name.code.is_some_and(|code| can_tell(code) && !blocks.used(code, allow.covers.start))
+    };
     let kept: Vec<&str> =
         allow.names.iter().filter(|name| !unused(name)).map(|name| &*name.text).collect();
     let file = allow.comment.file;
@@ -124,6 +136,8 @@ fn whole_comment(text: &str, comment: Span) -> Span {
 /// The comments of a text that allow.
 fn read(text: &str, file: FileId, faults: &mut Vec<Diagnostic>) -> Vec<Allow> {
     let all = comments(text);
+    let lines = Lines::of(text, &all);
+    let targets = targets(text, &all, &lines);
     let mut found = Vec::new();
     for (i, comment) in all.iter().enumerate() {
         let end = comment.start + text[comment.clone()].trim_end().len();
@@ -136,7 +150,7 @@ fn read(text: &str, file: FileId, faults: &mut Vec<Diagnostic>) -> Vec<Allow> {
                 let start = end - rest.len() + list.start;
                 let list = start..start + list.len();
                 let names = names(text, list.clone(), file);
-                let covers = covered(text, &all, i);
+                let covers = lines.block(targets[i]);
                 found.push(Allow { comment: span, covers, list, names, reason });
             }
             None => faults.push(errors::form(span)),
@@ -176,58 +190,26 @@ fn names(text: &str, list: Range<usize>, file: FileId) -> Vec<Allowed> {
             text: word.to_string(),
             at: Span::new(file, start, start + word.len()),
             code: CODES.iter().find(known).copied(),
-            used: false,
         });
         at += part.len() + 1;
     }
     found
 }
 
-/// The bytes the `i`-th comment of a text speaks of.
-fn covered(text: &str, comments: &[Range<usize>], i: usize) -> Range<usize> {
-    let line_start = |at: usize| text[..at].rfind('\n').map_or(0, |newline| newline + 1);
-    let alone = |at: usize| text[line_start(at)..at].trim().is_empty();
-    let mut last = i;
-    if !alone(comments[i].start) {
-        let start = line_start(comments[i].start);
-        return start..block_end(text, comments, start);
+/// Where the line begins that each comment of a text speaks of.
+fn targets(text: &str, comments: &[Range<usize>], lines: &Lines) -> Vec<usize> {
+    let alone = |at: usize| text[lines.start(at)..at].trim().is_empty();
+    let mut found = vec![0; comments.len()];
+    for (i, comment) in comments.iter().enumerate().rev() {
+        let next = comments.get(i + 1).filter(|next| lines.start(next.start) == comment.end + 1);
+        // Comments may go on below it.
+        found[i] = match next {
+            _ if !alone(comment.start) => lines.start(comment.start),
+            Some(next) if alone(next.start) => found[i + 1],
+            _ => (comment.end + 1).min(text.len()),
+        };
     }
-    // Comments may go on below it.
-    while let Some(next) = comments.get(last + 1)
-        && alone(next.start)
-        && line_start(next.start) == comments[last].end + 1
-    {
-        last += 1;
-    }
-    let start = (comments[last].end + 1).min(text.len());
-    start..block_end(text, comments, start)
-}
-
-/// The end of what begins on the line at `start`: of the line where all its brackets are closed.
-fn block_end(text: &str, comments: &[Range<usize>], start: usize) -> usize {
-    let first = comments.partition_point(|comment| comment.start < start);
-    let mut next = comments[first..].iter().peekable();
-    let mut depth = 0_isize;
-    let mut quoted = false;
-    let bytes = text.as_bytes();
-    let mut at = start;
-    while at < bytes.len() {
-        if next.peek().is_some_and(|comment| comment.start == at) {
-            at = next.next().map_or(at, |comment| comment.end);
-            continue;
-        }
-        match bytes[at] {
-            b'\n' if depth <= 0 => return at,
-            b'\n' => quoted = false,
-            b'\\' if quoted => at += usize::from(bytes.get(at + 1) != Some(&b'\n')),
-            b'"' => quoted = !quoted,
-            b'{' | b'(' | b'[' if !quoted => depth += 1,
-            b'}' | b')' | b']' if !quoted => depth -= 1,
-            _ => {}
-        }
-        at += 1;
-    }
-    text.len()
+    found
 }
 
 #[cfg(test)]

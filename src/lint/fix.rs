@@ -1,5 +1,7 @@
 //! Safe mends, applied to a text.
 
+use std::collections::BTreeMap;
+
 use crate::diag::{Diagnostic, Edit, FileId};
 
 /// A text with mends in it.
@@ -15,24 +17,28 @@ pub struct Fixed {
 /// of two that change the same place, the first is taken. None if there is none to apply.
 pub fn fixed(text: &str, file: FileId, found: &[Diagnostic]) -> Option<Fixed> {
     let mut taken: Vec<&Edit> = Vec::new();
+    // Where each begins and ends.
+    let mut places: BTreeMap<u32, u32> = BTreeMap::new();
     let mut mends: Vec<(u32, String)> = Vec::new();
     for diagnostic in found {
         let Some(mend) = diagnostic.mends.iter().find(|mend| mend.safe) else { continue };
         let fits = mend.edits.iter().all(|edit| {
-            edit.span.file == file
-                && text.get(edit.span.range()).is_some()
-                && !taken.iter().any(|other| meet(other, edit))
+            edit.span.file == file && text.get(edit.span.range()).is_some() && !meets(&places, edit)
         });
         if fits && let Some(first) = mend.edits.iter().map(|edit| edit.span.start).min() {
             taken.extend(&mend.edits);
+            for Edit { span, .. } in &mend.edits {
+                let end = places.entry(span.start).or_default();
+                *end = span.end.max(*end);
+            }
             mends.push((first, mend.title.clone()));
         }
     }
     if taken.is_empty() {
         return None;
     }
-    taken.sort_by_key(|edit| (edit.span.start, edit.span.end));
     mends.sort();
+    taken.sort_by_key(|edit| (edit.span.start, edit.span.end));
     let mut mended = String::with_capacity(text.len());
     let mut at = 0;
     for edit in taken {
@@ -45,9 +51,12 @@ pub fn fixed(text: &str, file: FileId, found: &[Diagnostic]) -> Option<Fixed> {
     Some(Fixed { text: mended, mends: mends.into_iter().map(|(_, title)| title).collect() })
 }
 
-/// Whether two edits change the same place. Two insertions at one place do.
-fn meet(a: &Edit, b: &Edit) -> bool {
-    a.span.start == b.span.start || a.span.start < b.span.end && b.span.start < a.span.end
+/// Whether an edit changes a place that is changed already; those places lie apart. Two insertions
+/// at one place do.
+fn meets(places: &BTreeMap<u32, u32>, edit: &Edit) -> bool {
+    let (start, end) = (edit.span.start, edit.span.end);
+    let before = places.range(..start).next_back().is_some_and(|(_, it)| *it > start);
+    before || places.range(start..).next().is_some_and(|(at, _)| *at == start || *at < end)
 }
 
 #[cfg(test)]

@@ -49,6 +49,20 @@ fn where_an_item_begins_it_speaks_of_all_of_it() {
 }
 
 #[test]
+fn comments_within_and_beside_each_other_are_told_apart() {
+    let allow = "// lint: allow(unused-let) because \"so\"";
+    // The outer and the inner one allow the same; the one between allows nothing.
+    let text = format!("{allow}\na {{\n b: 1 {allow}\n c: [ {allow}\n §d ]\n}}\n§e\n");
+    assert_eq!(told(&text, WHOLE), [(3, UNUSED), (7, FOUND)]);
+    // Several speak of one item, which the last line ends without a newline.
+    let text = format!("{allow}\n{allow}\na: [ {allow}\n§b ]");
+    assert_eq!(told(&text, WHOLE), []);
+    // More closed than opened.
+    let text = format!("a }} {allow}\n}} ] {allow}\nb: [ {allow}\n§c }}\n§d");
+    assert_eq!(told(&text, WHOLE), [(1, UNUSED), (2, UNUSED), (5, FOUND)]);
+}
+
+#[test]
 fn what_is_unused_is_told_where_it_can_be_known() {
     let text = "a // lint: allow(unused-let, mesh/not-rendered) because \"so\"\n";
     assert_eq!(told(text, WHOLE).len(), 2);
