@@ -12,7 +12,7 @@ use super::limits::percent;
 use super::log::{Event, Log, shown};
 use super::options::Render;
 use super::output::Output;
-use super::words::{counted, duration, grouped};
+use super::words::{counted, grouped};
 use crate::files;
 use crate::render::World;
 use crate::render::film::Taken;
@@ -75,17 +75,7 @@ fn agree(kept: &Kept, taken: &Taken, asked: &Asked) -> Result<(), String> {
             grouped(limit),
         ));
     }
-    if let Some(limit) = now.time
-        && kept.seconds > limit
-        && before.time.is_none_or(|before| limit < before)
-    {
-        return Err(format!(
-            "holds the work of {} already, more than the limit of {}\n  raise the limit to go on \
-             from it",
-            duration(kept.seconds),
-            duration(limit),
-        ));
-    }
+    // Time that was spent is spent: with a limit of less, what is there is done.
     // What has ended some tiles ends them once for all.
     let even = taken.ends().all(|end| end == most);
     if !even && (before.error, before.adaptive) != (now.error, now.adaptive) {
