@@ -2,11 +2,12 @@
 
 mod entries;
 mod own;
+mod reference;
 mod spectra;
 mod types;
 
 use super::near::{either, near};
-use super::options::List;
+use super::options::{List, Page};
 use super::{End, terminal};
 use crate::diag::print::Look;
 use crate::scene::KINDS;
@@ -20,6 +21,7 @@ pub fn run(options: &List) -> End {
     let look = terminal::stdout_look();
     let words: Vec<&str> = options.words.iter().flat_map(|words| words.split([' ', '.'])).collect();
     let text = match words.as_slice() {
+        [] if options.format == Page::Markdown => reference::page(),
         [] => kinds(look),
         ["units" | "unit"] => own::units(look),
         ["keywords" | "keyword"] => own::keywords(look),
@@ -122,13 +124,7 @@ fn page(entry: &Entry, look: Look) -> String {
     };
     match entry {
         Entry::Kind(kind) => {
-            let form = match kind.ty {
-                Type::OneOf(_) => "VARIANT { … }".to_string(),
-                Type::Record(_) => "{ … }".to_string(),
-                other => types::form(other),
-            };
-            let name = if kind.named { " NAME" } else { "" };
-            let mut text = heading(&format!("{}{name}: {form}", kind.word), kind.doc);
+            let mut text = heading(&item_form(kind), kind.doc);
             if let Some(default) = kind.default.map(types::tidy).filter(|d| d != "{}") {
                 text.push_str(&format!("  default: {default}\n"));
             }
@@ -152,6 +148,17 @@ fn page(entry: &Entry, look: Look) -> String {
             format!("{path}\n{}", block(&flow(doc), "  ", look))
         }
     }
+}
+
+/// How an item of a kind is written.
+fn item_form(kind: &Kind) -> String {
+    let form = match kind.ty {
+        Type::OneOf(_) => "VARIANT { … }".to_string(),
+        Type::Record(_) => "{ … }".to_string(),
+        other => types::form(other),
+    };
+    let name = if kind.named { " NAME" } else { "" };
+    format!("{}{name}: {form}", kind.word)
 }
 
 /// The variants or fields of a type.

@@ -262,12 +262,23 @@ Examples:
   scn list             every kind of item, and its variants
   scn list light       all lights, with their fields
   scn list diffuse     one of them; any word of the language will do
-  scn list functions   what can be called; `units` and `keywords` likewise")]
+  scn list functions   what can be called; `units` and `keywords` likewise
+  scn list --format markdown > docs/reference.md   all of it, as a page")]
 pub struct List {
     /// A word: a kind (camera …), a variant (diffuse …), a field (albedo …), a keyword (render …), a
     /// function or a unit; words before it say where it stands
     #[arg(value_name = "WORD")]
     pub words: Vec<String>,
+    /// How it is written; `markdown` writes the whole language as one page, and takes no WORD
+    #[arg(long, value_name = "FORM", default_value = "human", conflicts_with = "words")]
+    pub format: Page,
+}
+
+/// What a list is written for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Page {
+    Human,
+    Markdown,
 }
 
 /// Write a small scene to begin with

@@ -60,3 +60,17 @@ fn words_of_the_language_are_listed() {
     bench.run("list camera sphere").ends(2).says("no `sphere` in `camera`");
     bench.run("list difuse").ends(2).says("no word `difuse`; did you mean `diffuse`");
 }
+
+#[test]
+fn the_reference_is_what_the_language_has() {
+    let made = Bench::new().run("list --format markdown").well().stdout;
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference.md");
+    let there = std::fs::read_to_string(path).unwrap();
+    let changed = made.lines().zip(there.lines()).find(|(made, there)| made != there);
+    assert!(
+        made == there,
+        "docs/reference.md is stale; renew it:\n\n    cargo run -- list --format markdown > \
+         docs/reference.md\n\n{changed:#?}"
+    );
+    Bench::new().run("list light --format markdown").ends(2).says("cannot be used with");
+}

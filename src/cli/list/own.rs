@@ -1,14 +1,17 @@
 //! The words of the language itself: keywords, functions, units, and a number; beside them, in
 //! the overview, spectra.
 
-use super::types::tidy;
+use super::types::{self, tidy};
 use super::{block, spectra, strong};
 use crate::diag::print::Look;
 use crate::lang::words::{FUNCTIONS, Function, KEYWORDS, Keyword, PI};
 use crate::math::units::{self, UNITS, Unit};
 
 /// What the number with a name is.
-const PI_DOC: &str = "The number 3.14159…: `irradiance: pi * W/m^2`.";
+pub const PI_DOC: &str = "The number 3.14159…: `irradiance: pi * W/m^2`.";
+
+/// Numbers below this are shown as powers of ten.
+const SMALL: f64 = 1e-3;
 
 /// Every one of them.
 pub fn words() -> impl Iterator<Item = &'static str> {
@@ -60,8 +63,7 @@ pub fn units(look: Look) -> String {
     while let Some(first) = rest.first() {
         let same = rest.iter().take_while(|unit| unit.dimension == first.dimension).count();
         let words: Vec<_> = rest[..same].iter().map(|unit| unit.word).collect();
-        let what = first.dimension.name();
-        let what = what.trim_start_matches("an ").trim_start_matches("a ");
+        let what = types::bare(first.dimension);
         text.push_str(&format!("  {}  {what}\n", strong(&words.join(" "), 20, look)));
         rest = &rest[same..];
     }
@@ -76,7 +78,8 @@ fn call(function: &Function, look: Look) -> String {
     entry(&forms(function), function.doc, look)
 }
 
-fn forms(function: &Function) -> String {
+/// How a function is called, in all its ways.
+pub fn forms(function: &Function) -> String {
     let form = |params: &&[&str]| format!("{}({})", function.word, params.join(", "));
     function.params.iter().map(form).collect::<Vec<_>>().join(" or ")
 }
@@ -89,10 +92,18 @@ fn measure(unit: &Unit, look: Look) -> String {
         false => format!("A unit; it measures {what}."),
     };
     if base != unit.word {
-        doc.push_str(&format!(" 1 {} is {} {base}", unit.word, tidy(&unit.scale.to_string())));
-        doc = doc.trim_end().to_string() + ".";
+        doc.push_str(&format!(" 1 {} is {}.", unit.word, worth(unit)));
     }
     entry(unit.word, &doc, look)
+}
+
+/// A unit in base units: `0.01 m`.
+pub fn worth(unit: &Unit) -> String {
+    let scale = match unit.scale {
+        small if small < SMALL => format!("{small:e}"),
+        scale => tidy(&scale.to_string()),
+    };
+    format!("{scale} {}", unit.dimension.unit()).trim_end().to_string()
 }
 
 fn entry(heading: &str, doc: &str, look: Look) -> String {

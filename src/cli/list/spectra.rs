@@ -7,7 +7,7 @@ use crate::scene::schema::{Bound, Record};
 use crate::scene::spectral::{INDEX_DOC, RECORDS, Spectral};
 
 /// The word of the type of indices.
-const INDEX: &str = "index";
+pub const INDEX: &str = "index";
 
 /// Records and shelves.
 pub fn words() -> impl Iterator<Item = &'static str> {
@@ -71,6 +71,11 @@ pub fn quantities(look: Look) -> String {
 }
 
 fn quantity(spectral: Spectral, look: Look) -> String {
+    entry(spectral.word(), &quantity_doc(spectral), look)
+}
+
+/// What a quantity is, what states it, its unit and its range.
+pub fn quantity_doc(spectral: Spectral) -> String {
     let unit = match spectral.dimension().unit() {
         unit if unit.is_empty() => "It has no unit".to_string(),
         unit => format!("In {unit}"),
@@ -86,8 +91,7 @@ fn quantity(spectral: Spectral, look: Look) -> String {
             spectral.dimension().unit() + "/nm"
         )
     });
-    let doc = format!("{} A number, a colour or a spectrum. {unit}{low}.{density}", spectral.doc());
-    entry(spectral.word(), &doc, look)
+    format!("{} A number, a colour or a spectrum. {unit}{low}.{density}", spectral.doc())
 }
 
 fn capital(text: &str) -> String {
@@ -96,18 +100,26 @@ fn capital(text: &str) -> String {
 }
 
 fn index(look: Look) -> String {
-    let doc = format!(
+    entry(INDEX, &index_doc(), look)
+}
+
+/// The same of an index of refraction.
+pub fn index_doc() -> String {
+    format!(
         "{INDEX_DOC} A number, a colour, a spectrum, a formula, `complex(n, k)`, or one from the shelves `glass` and `metal`."
-    );
-    entry(INDEX, &doc, look)
+    )
 }
 
 fn record(record: &Record, look: Look) -> String {
-    let form = match record.fields {
+    entry(&record_form(record), record.doc, look) + &fields(record, look)
+}
+
+/// How a record of a spectrum is written.
+pub fn record_form(record: &Record) -> String {
+    match record.fields {
         [] => format!("{} {{ WAVELENGTH: VALUE, … }}", record.word),
         _ => format!("{} {{ … }}", record.word),
-    };
-    entry(&form, record.doc, look) + &fields(record, look)
+    }
 }
 
 fn shelf(shelf: &Shelf, look: Look) -> String {

@@ -11,14 +11,18 @@ pub fn field(field: &Field, width: usize, look: Look) -> String {
     parts.extend(range(field));
     parts.push(match field.default {
         Some(default) => format!("default {}", tidy(default)),
-        None if field.optional => "may be left out".to_string(),
-        None => "must be given".to_string(),
+        None => without_default(field).to_string(),
     });
     let margin = " ".repeat(FIELD_MARGIN + width + 2);
     let mut text = block(&parts.join("; "), &margin, look);
     let word = format!("    {}  ", strong(field.word, width + FIELD_MARGIN - 4, look));
     text.replace_range(..margin.len(), &word);
     text + &block(&flow(field.doc), &margin, look)
+}
+
+/// What becomes of a field without a default that is not given.
+pub fn without_default(field: &Field) -> &'static str {
+    if field.optional { "may be left out" } else { "must be given" }
 }
 
 /// What may stand in a place, in words.
@@ -29,10 +33,7 @@ pub fn form(ty: Type) -> String {
     };
     match ty {
         Type::Number(Dimension::NONE) => "number".to_string(),
-        Type::Number(dimension) => {
-            let name = dimension.name();
-            name.trim_start_matches("an ").trim_start_matches("a ").to_string()
-        }
+        Type::Number(dimension) => bare(dimension),
         Type::Count => "whole number".to_string(),
         Type::Switch => "on or off".to_string(),
         Type::Text => "text in quotes".to_string(),
@@ -61,8 +62,14 @@ pub fn form(ty: Type) -> String {
     }
 }
 
+/// What a dimension is called, without its article.
+pub fn bare(dimension: Dimension) -> String {
+    let name = dimension.name();
+    name.trim_start_matches("an ").trim_start_matches("a ").to_string()
+}
+
 /// The bounds of a field, if it has any.
-fn range(field: &Field) -> Option<String> {
+pub fn range(field: &Field) -> Option<String> {
     let angle = matches!(field.ty, Type::Number(Dimension::ANGLE));
     let number = |x: f64| {
         if angle && x != 0.0 { format!("{} deg", x.to_degrees()) } else { x.to_string() }
