@@ -8,6 +8,9 @@ use scn::files::png;
 
 mod shots;
 
+/// Where the scenes of pictures are.
+const FOLDERS: [&str; 2] = ["scenes", "scenes/tour"];
+
 fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
@@ -62,7 +65,7 @@ fn every_picture_is_what_its_scene_says_now() {
     }
     assert!(
         stale.is_empty(),
-        "render these anew, as docs/worksheets.md says:\n{}",
+        "render these anew, as docs/worksheets.md and docs/tour.md say:\n{}",
         stale.join("\n")
     );
 }
@@ -80,8 +83,11 @@ fn up_to_date(
     let (scene, render) = (word("scn:scene")?, word("scn:render")?);
     word("scn:seed")?.parse::<u64>().map_err(|_| "its scn:seed is no number")?;
 
-    let shots =
-        scenes.entry(scene.clone()).or_insert_with(|| shots::open(&format!("scenes/{scene}")));
+    let shots = scenes.entry(scene.clone()).or_insert_with(|| {
+        let mut places = FOLDERS.iter().map(|folder| format!("{folder}/{scene}"));
+        let file = places.find(|file| shots::path(file).exists());
+        shots::open(&file.unwrap_or_else(|| panic!("there is no scene {scene}")))
+    });
     let shot = shots.iter().find(|shot| shot.name == render);
     let shot = shot.ok_or(format!("{scene} has no render {render}"))?;
     if word("scn:hash")? != shot.stage.hash.to_string() {

@@ -1,0 +1,79 @@
+//! The tour in docs/: its scenes are those of scenes/tour/, and each step of one is a scene beyond
+//! doubt, in the style, that makes a picture.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::PathBuf;
+
+use scn::cli;
+use scn::diag::{self, Sources};
+use scn::lang;
+
+mod shots;
+
+/// A side of a picture here, as a part of its full one.
+const SCALE: f64 = 1.0 / 16.0;
+
+/// Each scene of the page, as it stands after each block that goes on with it.
+fn scenes() -> Vec<Vec<String>> {
+    let page = fs::read_to_string(shots::path("docs/tour.md")).unwrap();
+    let mut scenes: Vec<Vec<String>> = Vec::new();
+    for block in page.split("\n```scn").skip(1) {
+        let (kind, rest) = block.split_once('\n').unwrap();
+        let text = rest.split("```").next().unwrap();
+        match kind {
+            "" => scenes.push(vec![text.to_string()]),
+            " more" => {
+                let steps = scenes.last_mut().expect("a scene to go on with");
+                let whole = format!("{}\n{text}", steps.last().unwrap());
+                steps.push(whole);
+            }
+            other => panic!("a block of the tour is `scn{other}`"),
+        }
+    }
+    scenes
+}
+
+fn files() -> Vec<PathBuf> {
+    let folder = fs::read_dir(shots::path("scenes/tour")).unwrap();
+    folder.map(|entry| entry.unwrap().path()).collect()
+}
+
+#[test]
+fn the_scenes_of_the_page_are_those_of_the_folder() {
+    let page: BTreeSet<_> = scenes().iter().map(|steps| steps.last().unwrap().clone()).collect();
+    let folder: BTreeSet<_> =
+        files().iter().map(|path| fs::read_to_string(path).unwrap()).collect();
+    assert!(folder.len() >= 3);
+    assert_eq!(page, folder, "docs/tour.md and scenes/tour/ differ");
+}
+
+#[test]
+fn every_step_is_beyond_doubt_and_in_the_style() {
+    let path = shots::path("scenes/tour/step.scn");
+    for text in scenes().iter().flatten() {
+        let mut sources = Sources::new();
+        let found = cli::check(&path, text, &[], &mut sources).found;
+        let report = diag::print::report(&found, &sources, "a step", diag::print::Look::PLAIN);
+        assert!(report.is_empty(), "{text}\n{report}");
+        let id = sources.add("step.scn".to_string(), text.clone());
+        let styled = lang::format::format(text, id).expect("no faults of syntax");
+        assert_eq!(&styled, text, "`scn fmt` would change it");
+    }
+}
+
+#[test]
+fn every_step_makes_a_picture() {
+    for text in scenes().iter().flatten() {
+        let shots = shots::open_text(&shots::path("scenes/tour/step.scn"), text, &[]);
+        for shot in shots.unwrap_or_else(|report| panic!("{report}")) {
+            let picture = shot.picture(&shot.prepare(SCALE), 0);
+            let values = picture.pixels.iter().flat_map(|pixel| pixel.to_array());
+            let (low, high) = values.fold((f32::MAX, 0.0f32), |(low, high), value| {
+                assert!(value >= 0.0 && value.is_finite(), "{}: {value}", shot.name);
+                (low.min(value), high.max(value))
+            });
+            assert!(high > low, "{} shows nothing", shot.name);
+        }
+    }
+}
