@@ -4,12 +4,14 @@
 mod by_hand;
 
 use glam::{DVec3, dvec3};
+use scn::data::{self, Figures};
+use scn::math::{Spectrum, Table};
 use scn::plan::{Kind, biases, errors};
 use scn::prepare::{self, Prepared};
 use scn::run::{self, Difference};
-use scn::scene::{AreaLights, Integrator, Preview};
+use scn::scene::{self, AreaLights, Integrator, Light, Preview};
 
-use by_hand::{Hand, Patient, Ticking, direct, integrator, render, still_life};
+use by_hand::{Hand, Patient, Ticking, at, direct, integrator, render, still_life};
 
 fn kinds(hand: &Hand) -> Vec<Kind> {
     biases(&hand.stage()).iter().map(|bias| bias.kind).collect()
@@ -143,4 +145,107 @@ fn a_pilot_run_tells_the_noise_of_the_picture() {
     assert_eq!((pilot.noise, pilot.pixels), (again.noise, again.pixels));
     let shadow_rays = whole.shadow_rays as f64 / whole.rays as f64;
     assert!((pilot.shadow_rays / shadow_rays - 1.0).abs() < 0.05, "{pilot:?} {shadow_rays}");
+}
+
+/// A spectrum of a shelf; a light has a luminance of 1.
+fn datum(shelf: &str, word: &str) -> Spectrum {
+    let nodes: Vec<(f64, f64)> = match data::shelf(shelf).unwrap().find(word).unwrap().figures {
+        Figures::Light(rows) => rows().iter().map(|row| (row[0], row[1])).collect(),
+        Figures::Reflectance(rows, i) => rows().iter().map(|row| (row[0], row[i])).collect(),
+        _ => panic!("{shelf}.{word} is no table"),
+    };
+    Spectrum::Table(Table::new(nodes).unwrap())
+}
+
+/// A floor of this albedo in a sun of this irradiance, and a black lamp that shines so.
+fn coloured(albedo: &Spectrum, sun: &Spectrum, lamp: &Spectrum) -> Hand {
+    let mut hand = floor();
+    let Light::Directional(light) = &mut hand.scene.lights[0].value.value else { panic!() };
+    light.irradiance = at(scene::Irradiance(sun.clone()));
+    for material in &mut hand.scene.materials {
+        let scene::Material::Diffuse(diffuse) = &mut material.value.value;
+        match &*material.name.value {
+            "grey" => diffuse.albedo = at(scene::Reflectance(albedo.clone())),
+            "lamp" => diffuse.emission = at(scene::Radiance(lamp.clone())),
+            _ => {}
+        }
+    }
+    hand.quad(dvec3(0.0, 0.0, 3.0), DVec3::Y, DVec3::X, "lamp")
+}
+
+fn told(hand: &Hand) -> Vec<String> {
+    let all = biases(&hand.stage());
+    let all = all.iter().filter(|bias| bias.kind == Kind::RgbForSpectra);
+    all.map(|bias| format!("{}: {}", bias.setting, bias.brief)).collect()
+}
+
+#[test]
+fn products_of_spectra_are_wrong_by_what_is_known() {
+    let none = Spectrum::Constant(0.0);
+    let red = datum("paint", "cornell_red");
+    let tungsten = datum("illuminant", "a");
+    let line = |nm: f64| {
+        Spectrum::Table(Table::new(vec![(nm - 0.01, 0.0), (nm, 9e4), (nm + 0.01, 0.0)]).unwrap())
+    };
+    for (sun, part) in [(&tungsten, "14."), (&line(589.3), "86.")] {
+        for hand in [coloured(&red, sun, &none), coloured(&red, &none, sun)] {
+            let [told] = &told(&hand)[..] else { panic!("{:?}", told(&hand)) };
+            assert!(told.contains(&format!(" and `grey`: {part}")), "{told}");
+            assert!(told.contains(" % too bright where they meet, "), "{told}");
+        }
+    }
+    let both = told(&coloured(&red, &tungsten, &line(589.3)));
+    assert!(both[0].starts_with("RGB for the spectra of `light light0` and"), "{both:?}");
+    assert!(both[1].starts_with("RGB for the spectra of `lamp` and"), "{both:?}");
+    // Nothing is left of the light, but a channel knows nothing of that.
+    let blue = Spectrum::Table(Table::new(vec![(500.0, 0.9), (501.0, 0.0)]).unwrap());
+    let black = told(&coloured(&blue, &line(510.0), &none));
+    assert!(black[0].contains("should be black"), "{black:?}");
+    // Of several surfaces the one is told on which it is most wrong.
+    let mut hand = with_ball(coloured(&datum("paint", "cornell_green"), &tungsten, &none), "black");
+    let scene::Material::Diffuse(diffuse) = &mut hand.scene.materials[0].value.value;
+    diffuse.albedo = at(scene::Reflectance(red.clone()));
+    let [told] = &told(&hand)[..] else { panic!("{:?}", told(&hand)) };
+    assert!(told.contains(" and `black`: 14."), "{told}");
+    assert!(told.contains("; on one more material off by 4.68 %, a channel by 30.8 %"), "{told}");
+}
+
+#[test]
+fn products_that_are_exact_or_of_colours_are_not_told() {
+    let none = Spectrum::Constant(0.0);
+    let red = datum("paint", "cornell_red");
+    let tungsten = datum("illuminant", "a");
+    let white = datum("illuminant", "d65");
+    let rgb = Spectrum::Rgb([0.9, 0.4, 0.1]);
+    let flat = Spectrum::Table(Table::new(vec![(400.0, 0.5), (700.0, 0.5)]).unwrap());
+    for (albedo, sun) in [
+        (&red, &Spectrum::Constant(3.0)),
+        (&red, &white),
+        (&Spectrum::Constant(0.5), &tungsten),
+        (&flat, &tungsten),
+        (&rgb, &tungsten),
+        (&red, &rgb),
+        (&none, &tungsten),
+    ] {
+        assert_eq!(told(&coloured(albedo, sun, &none)), [""; 0], "{albedo:?} {sun:?}");
+    }
+    // A light of the same power at every wavelength is not white.
+    assert_eq!(told(&coloured(&red, &flat, &none)).len(), 1);
+    // In white light only a surface is wrong that sRGB lacks.
+    let laser = Table::new(vec![(510.0, 0.02), (520.0, 0.9), (530.0, 0.02)]).unwrap();
+    let hand = coloured(&Spectrum::Table(laser), &Spectrum::Constant(3.0), &none);
+    assert_eq!(told(&hand).len(), 1);
+    // A lamp does not light itself, unless it can.
+    let shines = |hand: Hand| {
+        let mut hand = hand;
+        let scene::Material::Diffuse(diffuse) = &mut hand.scene.materials[0].value.value;
+        diffuse.albedo = at(scene::Reflectance(red.clone()));
+        diffuse.emission = at(scene::Radiance(tungsten.clone()));
+        hand
+    };
+    let alone = Hand::new(direct()).material("lamp", 0.5, 1.0);
+    let alone = shines(alone.quad(DVec3::ZERO, DVec3::X, DVec3::Y, "lamp"));
+    assert_eq!(told(&alone), [""; 0]);
+    let two = alone.clone().quad(DVec3::Z, DVec3::X, DVec3::Y, "lamp");
+    assert_eq!(told(&two).len(), 1);
 }

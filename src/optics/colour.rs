@@ -106,7 +106,18 @@ pub fn reflected(reflectance: &Spectrum) -> [f64; 3] {
     raw_reflected(&table).map(|channel| channel.clamp(0.0, most))
 }
 
-/// The same, channels as they come: negative ones, and ones above all values, included.
+/// By how much [`reflected`] moves the channel that it moves most; 0 for colours that sRGB has.
+pub fn cut(reflectance: &Spectrum) -> f64 {
+    let table = match reflectance {
+        Spectrum::Constant(_) | Spectrum::Rgb(_) => return 0.0,
+        other => tabulated(other).expect("no colour"),
+    };
+    let moved = reflected(reflectance).into_iter().zip(raw_reflected(&table));
+    moved.map(|(shown, channel)| (shown - channel).abs()).fold(0.0, f64::max)
+}
+
+/// The same as [`reflected`], channels as they come: negative ones, and ones above all values,
+/// included.
 pub(super) fn raw_reflected(table: &Table) -> [f64; 3] {
     let eye = eye();
     let xyz = std::array::from_fn(|i| integral(&[table, &eye.white, &eye.observer[i]]));
@@ -121,7 +132,12 @@ pub fn emitted(light: &Spectrum) -> [f64; 3] {
         Spectrum::Rgb(components) => return *components,
         other => tabulated(other).expect("no colour"),
     };
-    let rgb = raw_emitted(&table);
+    within(DVec3::from_array(raw_emitted(&table)))
+}
+
+/// Negative channels become zero, and the others less, so that the luminance stays.
+fn within(rgb: DVec3) -> [f64; 3] {
+    let rgb = rgb.to_array();
     if rgb.iter().all(|channel| *channel >= 0.0) {
         return rgb;
     }
@@ -133,6 +149,21 @@ pub fn emitted(light: &Spectrum) -> [f64; 3] {
 /// The same, negative channels included.
 pub(super) fn raw_emitted(table: &Table) -> [f64; 3] {
     (eye().to_rgb * DVec3::from_array(xyz(table))).to_array()
+}
+
+/// Linear sRGB of what a surface of this reflectance scatters of a light, by wavelengths, in the
+/// light's unit: what the product of [`emitted`] and [`reflected`] comes near to. Saturated ones are
+/// brought within sRGB as lights are. None for colours, which say nothing of wavelengths; a light of
+/// one number is white.
+pub fn lit(light: &Spectrum, reflectance: &Spectrum) -> Option<[f64; 3]> {
+    let light = match light {
+        Spectrum::Constant(value) => white().map(|power| power * value),
+        other => tabulated(other)?,
+    };
+    let reflectance = tabulated(reflectance)?;
+    let eye = eye();
+    let part = |i: usize| integral(&[&light, &reflectance, &eye.observer[i]]) / eye.width;
+    Some(within(eye.to_rgb * DVec3::from_array(std::array::from_fn(part))))
 }
 
 #[cfg(test)]

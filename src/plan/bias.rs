@@ -2,6 +2,7 @@
 //!
 //! A new one is a [`Kind`], and a function that finds it.
 
+use super::spectra;
 use super::survey::Survey;
 use crate::diag::Span;
 use crate::load::Stage;
@@ -20,6 +21,8 @@ pub enum Kind {
     NoShadows,
     /// Lamps shine from their centres.
     LampCentres,
+    /// Three channels are multiplied in place of two spectra.
+    RgbForSpectra,
 }
 
 impl Kind {
@@ -31,6 +34,7 @@ impl Kind {
             Self::ConstantLight => "constant_light",
             Self::NoShadows => "no_shadows",
             Self::LampCentres => "lamp_centres",
+            Self::RgbForSpectra => "rgb_for_spectra",
         }
     }
 }
@@ -69,6 +73,7 @@ pub fn biases(stage: &Stage) -> Vec<Bias> {
             all.extend(constant_lights(&survey));
             all.extend(no_shadows(&survey, direct));
             all.extend(lamp_centres(&survey, direct));
+            all.extend(spectra::biases(&survey));
             all
         }
     }

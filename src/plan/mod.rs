@@ -7,6 +7,7 @@
 
 mod survey;
 mod features;
+mod spectra;
 mod bias;
 pub mod errors;
 

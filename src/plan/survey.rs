@@ -108,6 +108,11 @@ impl<'a> Survey<'a> {
             || scattering.any(|other| !std::ptr::eq(other.object, first.object))
     }
 
+    /// Whether light from one surface of an object may meet another one of it.
+    pub fn lights_itself(&self, object: &Named<Object>) -> bool {
+        !self.is_convex(object)
+    }
+
     /// Whether an object is one flat surface, or a sphere seen from outside: what leaves the side
     /// that is seen does not come back to it.
     fn is_convex(&self, object: &Named<Object>) -> bool {
