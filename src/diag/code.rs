@@ -79,6 +79,7 @@ codes! {
     LINT_CAMERA_INSIDE = "lint/camera-inside";
     LINT_CAMERA_SEES_NOTHING = "lint/camera-sees-nothing";
     LINT_COINCIDENT_SURFACES = "lint/coincident-surfaces";
+    LINT_COLOUR_CUT = "lint/colour-cut";
     LINT_DARK_LIGHT = "lint/dark-light";
     LINT_ENCLOSED = "lint/enclosed";
     LINT_EXPOSURE = "lint/exposure";

@@ -4,6 +4,7 @@ mod albedo_above_one;
 mod camera_inside;
 mod camera_sees_nothing;
 mod coincident_surfaces;
+mod colour_cut;
 mod dark_light;
 mod enclosed;
 mod exposure;
@@ -39,6 +40,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_CAMERA_INSIDE, look: Look::Render(camera_inside::look) },
     Rule { code: Code::LINT_CAMERA_SEES_NOTHING, look: Look::Render(camera_sees_nothing::look) },
     Rule { code: Code::LINT_COINCIDENT_SURFACES, look: Look::Render(coincident_surfaces::look) },
+    Rule { code: Code::LINT_COLOUR_CUT, look: Look::Render(colour_cut::look) },
     Rule { code: Code::LINT_DARK_LIGHT, look: Look::Renders(dark_light::look) },
     Rule { code: Code::LINT_ENCLOSED, look: Look::Render(enclosed::look) },
     Rule { code: Code::LINT_EXPOSURE, look: Look::Render(exposure::look) },
