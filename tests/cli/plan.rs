@@ -22,7 +22,7 @@ fn a_plan_is_readable_in_80_columns_and_writes_nothing() {
         "  left out  shadow rays: `shadows: off`\n",
         "  memory    geometry ",
         "  pilot     ",
-        "  limits    4 samples a pixel: about ",
+        "  limits    4 samples a pixel: ",
         "  error     1 % takes ",
         "            twice the time, 0.71 times the error\n",
         "  bias      `direct` (biased.scn:4): at most 80 % of the light on surfaces is\n",
