@@ -26,6 +26,15 @@ fn what_is_offered_can_be_what_was_meant() {
         ("}", "remove this `}`"),
         ("for i in [1, 2] { light a: constant { radiance: 1 W/m^2/sr } }", "`\"ball_{i}\"`"),
         ("object a: mesh { file: \"a\", unit: m, place: [scale((1, 2, 1))] }", "scale(1, 2, 1)"),
+        ("material a: diffuse { albedo: srgb(200, 100, 60) }", "`srgb(0.784, 0.392, 0.235)`?"),
+        ("material a: diffuse { albedo: srgb(2.5, 0, 0) }", "or `rgb(…)`"),
+        ("material a: diffuse { albedo: 0, emission: 500 nit }", "write `0.732 W/m^2/sr`"),
+        ("light a: directional { direction: x, irradiance: 100000 lx }", "write `146 W/m^2`"),
+        ("light a: constant { radiance: rgb(1, 2, 3) * nit }", "`rgb(1, 2, 3) / 683 * W/m^2/sr`"),
+        ("let l = 500\nlight a: constant { radiance: l * nit }", "`l / 683 * W/m^2/sr`"),
+        ("light a: constant { radiance: 500 lx }", "in W/m^2/sr"),
+        ("light a: constant { radiance: blackbody(5500 C) * 1 }", "in `K`"),
+        ("let t = 80 F", "in `K`"),
     ] {
         let told = only(text);
         assert!(told.contains(offered), "{text}: {offered}\n{told}");
@@ -64,6 +73,7 @@ fn what_is_too_far_is_not_offered() {
         ("let c = red * 1", "rad"),
         ("let c = 2 * nosuch", "`h`"),
         ("render a: fine {}", "mean `a`"),
+        ("render a {}\nrender a {}", "some systems"),
     ] {
         let told = only(text);
         assert!(!told.contains(not), "{text}: {not}\n{told}");

@@ -20,9 +20,9 @@ Examples:
   scn list material                           what the language has to offer
   scn explain type/dimension                  what a fault means, and how it is mended
 
-Exit status: 0 well; 1 the scene, or a file it names, has errors, or what compare or fmt was asked to
-look for holds; 2 the tool could not do its work (options, the scene file itself, the disk); 130
-interrupted.")]
+Exit status: 0 well; 1 the scene, or a file it names, has errors, or what compare or fmt was
+asked to look for holds; 2 the tool could not do its work (options, the scene file itself, the
+disk); 130 interrupted.")]
 pub struct Options {
     #[command(subcommand)]
     pub command: Command,

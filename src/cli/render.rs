@@ -198,6 +198,13 @@ impl<'a> Session<'a> {
                 let why = "would replace a file that the scene is read from";
                 return Err(failed(&format!("the {what} `{}` {why}", shown(&path))));
             }
+            if self.options.replay.as_deref().map(files::regular::identity)
+                == Some(files::regular::identity(&path))
+            {
+                let why = "is the one that is replayed, and would be replaced";
+                let help = "name another file or folder with -o";
+                return Err(failed(&format!("the {what} `{}` {why}\n  {help}", shown(&path))));
+            }
             files::whole::ready(&path)
                 .map_err(|failure| failed(&format!("the {what} `{}` {failure}", shown(&path))))?;
         }

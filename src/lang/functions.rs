@@ -38,7 +38,7 @@ pub fn call(ev: &Evaluator, word: &Word, values: Vec<Value>, span: Span) -> Opti
     }
     let kind = match &*word.text {
         "rgb" => colour(ev, &values, |c| c),
-        "srgb" => colour(ev, &values, srgb::decode),
+        "srgb" => encoded(ev, &values, span),
         "scale" => scale(ev, &values),
         "rotate" => rotate(ev, &values),
         "blackbody" => blackbody(ev, &values[0]),
@@ -62,6 +62,18 @@ fn numbers<const N: usize>(ev: &Evaluator, what: &str, values: &[Value]) -> Opti
 fn colour(ev: &Evaluator, values: &[Value], decode: impl Fn(f64) -> f64) -> Option<ValueKind> {
     let components = numbers::<3>(ev, "a component of a colour", values)?;
     Some(ValueKind::Colour(components.map(decode), Dimension::NONE))
+}
+
+fn encoded(ev: &Evaluator, values: &[Value], span: Span) -> Option<ValueKind> {
+    let components = numbers::<3>(ev, "a component of a colour", values)?;
+    if components.iter().all(|component| (0.0..=1.0).contains(component)) {
+        return Some(ValueKind::Colour(components.map(srgb::decode), Dimension::NONE));
+    }
+    // Only what stands there as numbers is written anew.
+    let literal = |text: &str| !text.contains(|c: char| c.is_ascii_alphabetic() || c == '"');
+    let arguments = ev.written(span).and_then(|text| text.strip_prefix("srgb"));
+    ev.reports.tell(types::encoded_range(components, arguments.is_some_and(literal), span));
+    None
 }
 
 fn scale(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {

@@ -97,7 +97,7 @@ pub const FUNCTIONS: &[Function] = &[
     Function {
         word: "srgb",
         params: COLOUR,
-        doc: "A colour as pictures on screens encode it, decoded to a linear one.",
+        doc: "A colour as pictures on screens encode it, each component from 0 to 1, decoded to a linear one.",
     },
     Function {
         word: "upsample",

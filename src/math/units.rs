@@ -30,6 +30,12 @@ impl Dimension {
     pub const POWER: Self = Self([0, 0, 0, 0, 0, 1, 0, 0]);
     /// Luminous flux, in lumens.
     pub const LUMINOUS_FLUX: Self = Self([0, 0, 0, 0, 0, 0, 1, 0]);
+    /// Luminous intensity, in candelas.
+    pub const LUMINOUS_INTENSITY: Self = Self([0, 0, -1, 0, 0, 0, 1, 0]);
+    /// Illuminance, in lux.
+    pub const ILLUMINANCE: Self = Self([-2, 0, 0, 0, 0, 0, 1, 0]);
+    /// Luminance, in cd/m².
+    pub const LUMINANCE: Self = Self([-2, 0, -1, 0, 0, 0, 1, 0]);
     /// Exposure, in stops: +1 doubles.
     pub const EXPOSURE: Self = Self([0, 0, 0, 0, 0, 0, 0, 1]);
     /// Irradiance, in W/m².
@@ -64,6 +70,17 @@ impl Dimension {
         self.0[5] > 0
     }
 
+    /// Whether it measures light as the eye does: a luminous flux is part of it.
+    pub fn is_luminous(self) -> bool {
+        self.0[6] > 0
+    }
+
+    /// The same with a power in place of the luminous flux: a radiance for a luminance.
+    pub fn radiant(self) -> Self {
+        let [m, rad, sr, s, k, w, lm, ev] = self.0;
+        Self([m, rad, sr, s, k, w.saturating_add(lm), 0, ev])
+    }
+
     /// The dimension of a power.
     pub fn power(self, exponent: i8) -> Self {
         Self(self.0.map(|e| e.saturating_mul(exponent)))
@@ -81,6 +98,9 @@ impl Dimension {
             (Self::TEMPERATURE, "a temperature"),
             (Self::POWER, "a power"),
             (Self::LUMINOUS_FLUX, "a luminous flux"),
+            (Self::LUMINOUS_INTENSITY, "a luminous intensity"),
+            (Self::ILLUMINANCE, "an illuminance"),
+            (Self::LUMINANCE, "a luminance"),
             (Self::EXPOSURE, "an exposure"),
             (Self::IRRADIANCE, "an irradiance"),
             (Self::RADIANCE, "a radiance"),
@@ -148,9 +168,9 @@ pub static UNITS: &[Unit] = &[
     unit("mW", Dimension::POWER, 1e-3),
     unit("kW", Dimension::POWER, 1e3),
     unit("lm", Dimension::LUMINOUS_FLUX, 1.0),
-    unit("cd", Dimension([0, 0, -1, 0, 0, 0, 1, 0]), 1.0),
-    unit("lx", Dimension([-2, 0, 0, 0, 0, 0, 1, 0]), 1.0),
-    unit("nit", Dimension([-2, 0, -1, 0, 0, 0, 1, 0]), 1.0),
+    unit("cd", Dimension::LUMINOUS_INTENSITY, 1.0),
+    unit("lx", Dimension::ILLUMINANCE, 1.0),
+    unit("nit", Dimension::LUMINANCE, 1.0),
     unit("ev", Dimension::EXPOSURE, 1.0),
     unit("%", Dimension::NONE, 0.01),
 ];

@@ -44,6 +44,24 @@ fn samples_that_differ_from_tile_to_tile_are_those_of_the_picture() {
 }
 
 #[test]
+fn the_picture_that_is_replayed_is_never_replaced() {
+    let bench = Bench::new();
+    bench.run("render ball.scn --only left").well();
+    let before = std::fs::read(bench.path("out/ball/left.exr")).unwrap();
+    for arguments in [
+        "out/ball/left.exr",
+        "out/ball/left.png",
+        "out/ball/left.exr -o out/ball",
+        "out/ball/left.png -o out/../out/ball/left.png",
+    ] {
+        let run = bench.run(&format!("render ball.scn --replay {arguments}")).ends(2);
+        run.says("is the one that is replayed").says("with -o");
+    }
+    assert!(std::fs::read(bench.path("out/ball/left.exr")).unwrap() == before);
+    bench.run("render ball.scn --replay out/ball/left.exr -o out/again").well();
+}
+
+#[test]
 fn pictures_of_other_scenes_and_programs_are_refused() {
     let bench = Bench::new();
     bench.run("render ball.scn --only left -o a").well();

@@ -10,6 +10,9 @@ use crate::math::units::{self, UNITS, Unit};
 /// What the number with a name is.
 pub const PI_DOC: &str = "The number 3.14159…: `irradiance: pi * W/m^2`.";
 
+/// What luminous units are for.
+pub const LUMINOUS_DOC: &str = "No field takes luminous units yet: lights are given in watts, and 1 W/m^2/sr in a scene is seen as 683 nit. Divide by 683.";
+
 /// Numbers below this are shown as powers of ten.
 const SMALL: f64 = 1e-3;
 
@@ -67,7 +70,8 @@ pub fn units(look: Look) -> String {
         text.push_str(&format!("  {}  {what}\n", strong(&words.join(" "), 20, look)));
         rest = &rest[same..];
     }
-    text
+    text.push('\n');
+    text + &block(LUMINOUS_DOC, "", look)
 }
 
 fn one(keyword: &Keyword, look: Look) -> String {

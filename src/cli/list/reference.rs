@@ -139,7 +139,8 @@ fn units() -> String {
         [format!("`{}`", unit.word), what, own::worth(unit)]
     };
     let intro = "A unit follows its number: `550 mm`, `9 W/m^2/sr`.";
-    section(2, "Units", intro) + &table(["unit", "of", "worth"], UNITS.iter().map(row))
+    section(2, "Units", &format!("{intro} {}", own::LUMINOUS_DOC))
+        + &table(["unit", "of", "worth"], UNITS.iter().map(row))
 }
 
 fn records() -> String {

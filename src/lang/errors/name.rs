@@ -46,7 +46,13 @@ fn capital(text: &str) -> String {
 pub fn unknown_unit(found: &str, span: Span) -> Diagnostic {
     let told = Diagnostic::error(Code::NAME_UNKNOWN_UNIT, format!("`{found}` is no unit"))
         .label(span, "no unit is called so");
-    let usual = match found.to_lowercase().as_str() {
+    let lower = found.to_lowercase();
+    if matches!(lower.as_str(), "c" | "°c" | "celsius" | "f" | "°f" | "fahrenheit") {
+        return told
+            .why("Temperatures are in kelvin: 273.15 more than in degrees Celsius.")
+            .help("write the temperature in `K`");
+    }
+    let usual = match lower.as_str() {
         "degree" | "degrees" | "°" => Some("deg"),
         "meter" | "meters" | "metre" | "metres" => Some("m"),
         "centimeter" | "centimeters" | "centimetre" | "centimetres" => Some("cm"),

@@ -112,7 +112,10 @@ pub fn duplicate(name: &str, span: Span, first: (&str, Span)) -> Diagnostic {
         true => told.help("write a value of the loop into the name: `\"view_{i}\"`"),
         false => told.label(first.1, "the first").help("give one of them another name"),
     };
-    told.why("Pictures are files, and some systems do not tell `A` from `a`.")
+    match first.0 == name {
+        true => told.why("Pictures are files of these names."),
+        false => told.why("Pictures are files, and some systems do not tell `A` from `a`."),
+    }
 }
 
 /// Setups that build on each other.

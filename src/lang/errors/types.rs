@@ -8,6 +8,9 @@ use crate::lang::value::digits;
 use crate::math::units::{Dimension, UNITS};
 use crate::scene::schema::{Bound, Range};
 
+/// Lumens of light of a watt, as scenes count watts: by what is seen of them.
+const LUMENS_A_WATT: f64 = 683.0;
+
 /// The likeliest units of a dimension, as written after a number.
 fn units_of(dimension: Dimension) -> Vec<String> {
     match dimension {
@@ -68,6 +71,9 @@ pub fn with_unit(
     expected: Dimension,
     span: Span,
 ) -> Diagnostic {
+    if found.is_luminous() && expected.is_light() {
+        return luminous(told, text, found, expected, span);
+    }
     let unit = match expected {
         Dimension::NONE => String::new(),
         expected => units_of(expected).into_iter().next().unwrap_or_default(),
@@ -83,6 +89,33 @@ pub fn with_unit(
             span,
             right,
         ),
+    }
+}
+
+/// Luminous units where radiant ones belong: 683 of one are one of the other.
+fn luminous(
+    told: Diagnostic,
+    text: Option<&str>,
+    found: Dimension,
+    expected: Dimension,
+    span: Span,
+) -> Diagnostic {
+    let light = found.radiant().unit();
+    let eye = units_of(found).into_iter().next().unwrap_or_default();
+    let told = told.why(format!(
+        "No field takes luminous units yet. 1 {light} in a scene is seen as {LUMENS_A_WATT} {eye}."
+    ));
+    let right = Some(text).flatten().filter(|_| found.radiant() == expected);
+    match right.and_then(|text| super::unit_tail::divided(text, found, LUMENS_A_WATT, &light)) {
+        Some(right) => told.help(format!("write `{right}`: divided by {LUMENS_A_WATT}")).mend(
+            format!("write `{right}`"),
+            span,
+            right,
+        ),
+        None if found.radiant() == expected => {
+            told.help(format!("divide it by {LUMENS_A_WATT}, and write {light}"))
+        }
+        None => told.help(format!("write a quantity in {}", expected.unit())),
     }
 }
 
@@ -156,6 +189,28 @@ pub fn out_of_range(
     let bounds = bounds.join(" and ");
     Diagnostic::error(Code::TYPE_OUT_OF_RANGE, format!("{what} must be {bounds}, and is {found}"))
         .label(span, format!("must be {bounds}"))
+}
+
+/// Components of `srgb` beyond 0 to 1. `literal`: all of them are written as numbers.
+pub fn encoded_range(components: [f64; 3], literal: bool, span: Span) -> Diagnostic {
+    let shown = components.map(digits).join(", ");
+    let headline = format!("the components of `srgb` go from 0 to 1, and these are {shown}");
+    let told = Diagnostic::error(Code::TYPE_OUT_OF_RANGE, headline)
+        .label(span, "each must be at least 0 and at most 1");
+    let byte = |x: &f64| x.fract() == 0.0 && (0.0..=255.0).contains(x);
+    let bytes = components.iter().all(byte) && components.iter().any(|x| *x > 1.0);
+    if !bytes {
+        return told.help("write what lies within, or `rgb(…)`, which is linear and has no bound");
+    }
+    let right = components.map(|x| digits((x / 255.0 * 1e3).round() / 1e3)).join(", ");
+    let right = format!("srgb({right})");
+    let told = told
+        .why("Programs that paint count from 0 to 255; here 1 is the most that a screen shows.")
+        .help(format!("did you mean `{right}`?"));
+    match literal {
+        true => told.mend(format!("write `{right}`"), span, right),
+        false => told,
+    }
 }
 
 /// Fields that must be given.

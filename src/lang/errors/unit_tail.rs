@@ -66,6 +66,27 @@ pub fn replaced(text: &str, found: Dimension, unit: &str) -> Option<String> {
     }
 }
 
+/// The text of a quantity in `found` divided by `divisor` and in `unit` in its place: a number to
+/// three digits, a product as a quotient. None if not the unit alone decides what it is, or if it
+/// is one with a prefix.
+pub fn divided(text: &str, found: Dimension, divisor: f64, unit: &str) -> Option<String> {
+    let (at, _) = tail(text)?;
+    // Base units alone: with `cm` the number would not be the quantity's.
+    let words =
+        text[at..].split(|c: char| !c.is_ascii_alphabetic()).filter(|word| !word.is_empty());
+    if words.filter_map(units::find).any(|unit| unit.scale != 1.0) {
+        return None;
+    }
+    let replaced = replaced(text, found, unit)?;
+    let before = replaced.strip_suffix(unit)?.trim_end();
+    if let Ok(number) = before.replace('_', "").parse::<f64>() {
+        let number: f64 = format!("{:.2e}", number / divisor).parse().ok()?;
+        return Some(format!("{} {unit}", crate::lang::value::digits(number)));
+    }
+    let before = before.strip_suffix('*')?.trim_end();
+    Some(format!("{before} / {divisor} * {unit}"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -84,6 +105,20 @@ mod tests {
         let colour = "rgb(1, 2 * 3, 4) * W / m ^ 2 / sr";
         assert_eq!(replaced(colour, radiance, "W/m^2").unwrap(), "rgb(1, 2 * 3, 4) * W/m^2");
         assert_eq!(replaced("2 m^-1", length.power(-1), "m").unwrap(), "2 m");
+    }
+
+    #[test]
+    fn a_quantity_is_divided_as_it_is_written() {
+        let [lx, nit] = ["lx", "nit"].map(|word| units::find(word).unwrap().dimension);
+        let divided = |text, found| divided(text, found, 683.0, "W");
+        assert_eq!(divided("500 nit", nit).unwrap(), "0.732 W");
+        assert_eq!(divided("100_000 lx", lx).unwrap(), "146 W");
+        assert_eq!(divided("1e-9 lm/m^2", lx).unwrap(), "1.46e-12 W");
+        assert_eq!(divided("rgb(1, 2, 3) * nit", nit).unwrap(), "rgb(1, 2, 3) / 683 * W");
+        for text in ["5 lm/cm^2", "bright", "2 * 250 nit", "1 nit + 2 nit"] {
+            assert_eq!(divided(text, nit), None, "{text}");
+            assert_eq!(divided(text, lx), None, "{text}");
+        }
     }
 
     #[test]
