@@ -14,6 +14,7 @@ use super::options::Render;
 use super::output::Output;
 use super::words::{counted, grouped};
 use crate::files;
+use crate::files::hold::Held;
 use crate::render::World;
 use crate::render::film::Taken;
 use crate::run::{Begin, Outcome, Stopped, Watch};
@@ -29,10 +30,19 @@ pub fn path(options: &Render, output: &Output, name: &str) -> Option<PathBuf> {
 }
 
 /// Whether the render can be kept, and gone on with if that is wanted: to be asked before the work.
-/// Why not, if it cannot.
-pub fn check(options: &Render, output: &Output, asked: &Asked) -> Result<(), String> {
-    let Some(path) = path(options, output, &asked.about.render) else { return Ok(()) };
+/// Its checkpoint, if it has one, is held for nobody else to write it. Why not, if it cannot be kept.
+pub fn hold(options: &Render, output: &Output, asked: &Asked) -> Result<Option<Held>, String> {
+    let Some(path) = path(options, output, &asked.about.render) else { return Ok(None) };
     let told = |clause: String| format!("the checkpoint `{}` {clause}", shown(&path));
+    files::whole::ready(&path).map_err(|failure| told(failure.to_string()))?;
+    let held =
+        Held::take(&path).map_err(|failure| told(failure.to_string()))?.ok_or_else(|| {
+            told(
+            "is being written by another render\n  wait for its end, or choose another place with \
+             -o"
+            .into(),
+        )
+        })?;
     if files::regular::is_there(&path) {
         if !options.resume {
             return Err(told(
@@ -45,7 +55,7 @@ pub fn check(options: &Render, output: &Output, asked: &Asked) -> Result<(), Str
             Kept::read(&path, Kind::Checkpoint).map_err(|why| told(why.to_string()))?;
         agree(&kept, &taken, asked).map_err(told)?;
     }
-    files::whole::ready(&path).map_err(|failure| told(failure.to_string()))
+    Ok(Some(held))
 }
 
 /// Whether a render that was kept so is the beginning of the one asked for.
@@ -181,9 +191,17 @@ impl<'a> Keeper<'a> {
     }
 
     /// Keeps what a render came to, but for one that was stopped within its first pass: there is
-    /// nothing to go on from.
+    /// nothing to go on from, which is told.
     pub fn end(&self, outcome: &Outcome) {
-        if !matches!(outcome.stopped, Stopped::Interrupted { tiles: Some(_) }) {
+        let Some((path, words)) = &self.keeps else { return };
+        if matches!(outcome.stopped, Stopped::Interrupted { tiles: Some(_) }) {
+            let text = format!(
+                "the checkpoint `{}` is not written: nothing is kept before every pixel has its \
+                 first sample",
+                shown(path)
+            );
+            remark(self.log, &words.about.render, text);
+        } else {
             self.keep(&outcome.taken, outcome.seconds, true);
         }
     }

@@ -1,6 +1,6 @@
 //! `scn new`: a small scene to begin with.
 
-use std::path::PathBuf;
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
 use super::options::New;
 use super::{End, terminal};
@@ -12,6 +12,12 @@ const SCENE: &str = include_str!("new.scn");
 
 pub fn run(options: &New) -> End {
     let mut path = options.name.clone().unwrap_or_else(|| PathBuf::from("scene"));
+    let named = path.file_name().is_some_and(|name| name != ".scn");
+    if !named || path.as_os_str().to_string_lossy().ends_with(['/', '.', MAIN_SEPARATOR]) {
+        let why = "names no file\n  write a name such as `scene` or `figures/scene`";
+        terminal::fail(&format!("`{}` {why}", path.display()));
+        return End::NotDone;
+    }
     if path.extension().is_none_or(|ending| ending != "scn") {
         let mut longer = path.into_os_string();
         longer.push(".scn");
@@ -20,13 +26,40 @@ pub fn run(options: &New) -> End {
     let shown = path.display();
     match files::whole::create(&path, SCENE.as_bytes()) {
         Ok(()) => {
-            let text = format!("wrote {shown}; its pictures: scn render {shown}\n");
+            let text = format!("wrote {shown}; its pictures: scn render {}\n", typed(&path));
             terminal::say(&harmless_text(&text));
             End::Well
         }
         Err(failure) => {
             terminal::fail(&format!("the scene file `{shown}` {failure}"));
             End::NotDone
+        }
+    }
+}
+
+/// A name as it is typed at a shell: in quotes where it needs them.
+fn typed(path: &Path) -> String {
+    let name = path.display().to_string();
+    let plain = |c: char| c.is_alphanumeric() || "/._-+,:@%=".contains(c) || c == MAIN_SEPARATOR;
+    // What begins like an option would be taken for one.
+    let name = if name.starts_with('-') { format!("./{name}") } else { name };
+    if name.chars().all(plain) { name } else { format!("'{}'", name.replace('\'', "'\\''")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_quoted_where_a_shell_needs_it() {
+        for (name, shown) in [
+            ("figures/scène-1.scn", "figures/scène-1.scn"),
+            ("my scene.scn", "'my scene.scn'"),
+            ("it's.scn", "'it'\\''s.scn'"),
+            ("$x.scn", "'$x.scn'"),
+            ("-x.scn", "./-x.scn"),
+        ] {
+            assert_eq!(typed(Path::new(name)), shown);
         }
     }
 }

@@ -77,7 +77,8 @@ pub struct Render {
     /// Chooses all random numbers; the same seed gives the same picture
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = seed, allow_negative_numbers = true)]
     pub seed: u64,
-    /// Threads to compute with; one for each processor without it. Changes no bit of the picture
+    /// Threads to compute with; one for each processor without it, eight for each at most. Changes no
+    /// bit of the picture
     #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<u64>,
     /// Factor on the picture's width and height

@@ -40,6 +40,14 @@ impl Output {
         if folder || files::whole::is_folder(path) {
             return Ok(Self::Folder(path.to_path_buf()));
         }
+        let nameless = [".exr", ".png"]
+            .iter()
+            .find(|ending| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(ending)));
+        if let Some(ending) = nameless {
+            return Err(format!(
+                "-o {shown}: a picture needs a name before {ending}, such as `fig01{ending}`"
+            ));
+        }
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         match ending.as_deref() {
             None => Ok(Self::Folder(path.to_path_buf())),
@@ -108,6 +116,10 @@ mod tests {
         assert_eq!(output("pictures.v2/"), Ok(Output::Folder("pictures.v2/".into())));
         assert!(output("a.jpg").unwrap_err().contains("not as .jpg"));
         assert!(output("").is_err());
+        for nameless in [".exr", "x/.PNG"] {
+            assert!(output(nameless).unwrap_err().contains("needs a name before ."), "{nameless}");
+        }
+        assert_eq!(output(".pictures"), Ok(Output::Folder(".pictures".into())));
     }
 
     #[test]

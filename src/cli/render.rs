@@ -15,6 +15,7 @@ use super::output::Output;
 use super::replay::{self, Replay};
 use super::{End, bias, check, scene_file, stop, terminal};
 use crate::diag::{self, Diagnostic, Level, Sources};
+use crate::files::hold::Held;
 use crate::load::{Loader, Stage};
 use crate::prepare::{self, Prepared};
 use crate::render::tiles::Threads;
@@ -89,7 +90,7 @@ impl<'a> Session<'a> {
         }
         let chosen = self.chosen(compiled.renders, &compiled.setups, &output)?;
         let ready = self.load(compiled.diagnostics, chosen, &compiled.outline)?;
-        let asked = self.settings_fit(&ready, &output)?;
+        let (asked, _held) = self.settings_fit(&ready, &output)?;
         self.tell_loaded(&ready);
 
         let mut pictures = 0;
@@ -178,8 +179,13 @@ impl<'a> Session<'a> {
     }
 
     /// What is asked for, if --scale, --crop and --shard suit the scenes, checkpoints the renders,
-    /// and the pictures can be written: found out before the work, not after it.
-    fn settings_fit(&self, ready: &[Ready], output: &Output) -> Result<Vec<Asked>, End> {
+    /// and the pictures can be written: found out before the work, not after it. With it come the
+    /// checkpoints, held.
+    fn settings_fit(
+        &self,
+        ready: &[Ready],
+        output: &Output,
+    ) -> Result<(Vec<Asked>, Vec<Held>), End> {
         let mut all = Vec::new();
         for Ready { name, stage } in ready {
             if let Some(unfit) = self.settings().unfit(stage) {
@@ -208,10 +214,10 @@ impl<'a> Session<'a> {
             files::whole::ready(&path)
                 .map_err(|failure| failed(&format!("the {what} `{}` {failure}", shown(&path))))?;
         }
-        for asked in &all {
-            checkpoint::check(self.options, output, asked).map_err(|why| failed(&why))?;
-        }
-        Ok(all)
+        let held = all.iter().map(|asked| checkpoint::hold(self.options, output, asked));
+        let held: Result<Vec<_>, _> = held.collect();
+        let held = held.map_err(|why| failed(&why))?.into_iter().flatten().collect();
+        Ok((all, held))
     }
 
     /// The files that a render is to become: its pictures, or its part.

@@ -12,6 +12,7 @@ mod lines;
 pub mod regular;
 pub mod text;
 pub mod whole;
+pub mod hold;
 pub mod exr;
 pub mod png;
 pub mod checkpoint;

@@ -75,9 +75,30 @@ pub fn is_folder(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|metadata| metadata.is_dir())
 }
 
-/// Where the bytes go: through symbolic links, and only in the place of a regular file.
+/// The hidden file beside it whose lock says that somebody works on it.
+pub(super) fn lock_name(path: &Path) -> Result<PathBuf, Failure> {
+    let path = target(path)?;
+    let mut name = hidden(path.file_name().ok_or_else(|| Failure::new("has no file name"))?);
+    name.push(".lock");
+    Ok(folder_of(&path).join(name))
+}
+
+/// Links from one to the next that are followed, as many as systems follow.
+const MOST_LINKS: usize = 40;
+
+/// Where the bytes go: through symbolic links, be there a file at their end or not yet, and only in
+/// the place of a regular file.
 fn target(path: &Path) -> Result<PathBuf, Failure> {
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
+    let mut path = path.to_path_buf();
+    let mut links = 0;
+    while let Ok(next) = fs::read_link(&path) {
+        links += 1;
+        if links > MOST_LINKS {
+            return Err(Failure::new("is a link that leads nowhere"));
+        }
+        path = folder_of(&path).join(next);
+    }
+    let path = fs::canonicalize(&path).unwrap_or(path);
     match fs::metadata(&path) {
         Ok(metadata) if metadata.is_dir() => Err(Failure::new("is a folder")),
         Ok(metadata) if !metadata.is_file() => {
@@ -113,7 +134,7 @@ fn beside(prefix: &std::ffi::OsStr, folder: &Path) -> Result<tempfile::NamedTemp
     loop {
         let file = hidden_file(prefix, folder)?;
         // Somebody may have swept it up between its making and its locking.
-        if lock(file.as_file()).is_err() || still_there(&file) {
+        if lock(file.as_file()).is_err() || is_named(file.as_file()) {
             return Ok(file);
         }
     }
@@ -152,6 +173,17 @@ fn sweep(prefix: &std::ffi::OsStr, folder: &Path) {
     }
 }
 
+/// Whether another one has the lock of this file; takes it if not.
+#[cfg(unix)]
+pub(super) fn taken(file: &File) -> bool {
+    lock(file) == Err(rustix::io::Errno::WOULDBLOCK)
+}
+
+#[cfg(not(unix))]
+pub(super) fn taken(_file: &File) -> bool {
+    false
+}
+
 /// Takes the lock of a file that is written, for as long as it is open. Not every disk knows locks.
 #[cfg(unix)]
 fn lock(file: &File) -> Result<(), rustix::io::Errno> {
@@ -166,13 +198,13 @@ fn lock(_file: &File) -> Result<(), ()> {
 
 /// Whether the name of an open file still stands for it, or its folder does not tell.
 #[cfg(unix)]
-fn still_there(file: &tempfile::NamedTempFile) -> bool {
+pub(super) fn is_named(file: &File) -> bool {
     use std::os::unix::fs::MetadataExt;
-    file.as_file().metadata().map_or(true, |metadata| metadata.nlink() > 0)
+    file.metadata().map_or(true, |metadata| metadata.nlink() > 0)
 }
 
 #[cfg(not(unix))]
-fn still_there(_file: &tempfile::NamedTempFile) -> bool {
+pub(super) fn is_named(_file: &File) -> bool {
     true
 }
 
@@ -307,6 +339,16 @@ mod tests {
         put(&link, b"new").unwrap();
         assert_eq!(fs::read(&file).unwrap(), b"new");
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        // To where there is nothing yet, too, by way of another link.
+        fs::remove_file(&file).unwrap();
+        let second = folder.path().join("second");
+        symlink("link", &second).unwrap();
+        put(&second, b"newer").unwrap();
+        assert_eq!(fs::read(&file).unwrap(), b"newer");
+        assert!([&link, &second].iter().all(|it| fs::symlink_metadata(it).unwrap().is_symlink()));
+        let ring = folder.path().join("ring");
+        symlink("ring", &ring).unwrap();
+        assert_eq!(put(&ring, b"").unwrap_err().to_string(), "is a link that leads nowhere");
     }
 
     #[cfg(unix)]

@@ -144,12 +144,18 @@ where
     begun
 }
 
+/// The most threads for each processor: more of them only take each other's time.
+const MOST_A_PROCESSOR: usize = 8;
+
 /// A pool of so many threads, in place of one for each processor.
 pub struct Threads(rayon::ThreadPool);
 
 impl Threads {
-    /// None if the system will not give so many.
+    /// Of so many threads, or of fewer if that is many times the processors: the work comes out the
+    /// same. None if the system will not give so many.
     pub fn new(count: usize) -> Option<Self> {
+        let processors = std::thread::available_parallelism().map_or(1, usize::from);
+        let count = count.min(processors.saturating_mul(MOST_A_PROCESSOR));
         rayon::ThreadPoolBuilder::new().num_threads(count).build().ok().map(Self)
     }
 

@@ -183,6 +183,62 @@ fn interrupted_ones_are_kept_and_gone_on_with() {
     assert_same(bench.path("a.exr"), bench.path("b.exr"));
 }
 
+/// The line that a child writes with this event, or its last one.
+#[cfg(unix)]
+fn until(lines: &mut impl Iterator<Item = std::io::Result<String>>, event: &str) {
+    let named = format!("\"event\":\"{event}\"");
+    assert!(lines.any(|line| line.unwrap().contains(&named)), "no {event}");
+}
+
+#[cfg(unix)]
+#[test]
+fn one_render_alone_writes_a_checkpoint() {
+    let bench = Bench::new();
+    let arguments = "render ball.scn --only left -o a.exr";
+    let mut child = bench
+        .command(&format!("{arguments} --samples 4000000000 --checkpoint 0.001ms --log json"))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+    // Before there is anything of its name, and after.
+    until(&mut lines, "rendering");
+    let told = "the checkpoint `a.checkpoint` is being written by another render";
+    bench.run(&format!("{arguments} --checkpoint --seed 1")).ends(2).says(told);
+    until(&mut lines, "checkpoint");
+    bench.run(&format!("{arguments} --checkpoint")).ends(2).says(told);
+    bench.run(&format!("{arguments} --resume --time 1ms")).ends(2).says(told);
+    bench.run("render ball.scn --only left -o b.exr --checkpoint").well();
+    // A killed one holds nothing.
+    child.kill().unwrap();
+    child.wait().unwrap();
+    bench.run(&format!("{arguments} --resume --time 1ms")).well();
+    assert_eq!(bench.files(), ["a.checkpoint", "a.exr", "b.checkpoint", "b.exr", "ball.scn"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn nothing_is_kept_of_half_a_sample_and_that_is_told() {
+    let bench = Bench::new();
+    bench.put("ball.scn", BALL.replace("(32, 24)", "(2048, 2048)"));
+    let mut child = bench
+        .command("render ball.scn --only left -o a.png --checkpoint --threads 1 --log json")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+    until(&mut lines, "progress");
+    let id = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    let rest: Vec<String> = lines.map(|line| line.unwrap()).collect();
+    let run = Run::new(child.wait_with_output().unwrap()).ends(130);
+    run.says("`a.checkpoint` is not written: nothing is kept before every pixel has its first");
+    assert!(rest.iter().any(|line| line.contains("\"remark\"") && line.contains("not written")));
+    assert_eq!(bench.files(), ["a.png", "ball.scn"]);
+}
+
 #[test]
 fn a_checkpoint_lies_beside_each_picture() {
     let bench = Bench::new();

@@ -24,6 +24,9 @@ fn nothing_is_written_over() {
     bench.run("new").well();
     bench.run("new deep/er/a").well();
     assert_eq!(bench.files(), ["ball.scn", "deep/er/a.scn", "scene.scn"]);
+    for nameless in [".", "..", "x1/", "x1/.", ".scn", "x."] {
+        bench.run(&format!("new {nameless}")).ends(2).says(&format!("`{nameless}` names no file"));
+    }
     bench.run("new ball.scn/a").ends(2).says("a file is in its way");
 }
 
