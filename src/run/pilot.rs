@@ -1,10 +1,11 @@
-//! A short render of a few tiles: what a whole one will take, and how wrong it will be.
+//! A short render: what a whole one will take, and how wrong it will be.
 
-use super::Settings;
+use std::collections::HashMap;
+
 use crate::math::random;
 use crate::measure::noise::{self, Noise, Share};
 use crate::render::World;
-use crate::render::film::Taken;
+use crate::render::film::{Taken, TileMeans};
 use crate::render::integrators::Integrator;
 use crate::render::samplers::Rhythm;
 use crate::render::tiles::Job;
@@ -36,53 +37,90 @@ impl Pilot {
     }
 }
 
-/// Samples of a pilot run, of all pixels together; about.
+/// Samples of a pilot run's second part, of all pixels together; about.
 const SAMPLES: u64 = 1 << 18;
 
 /// Samples of each pixel, where two rounds are more than these.
 const FEW: u64 = 16;
 
-/// Renders a few tiles, the same ones with the same samples in every run. `now` tells seconds since
-/// any fixed moment.
+/// Tiles that are looked at at most.
+const MOST_TILES: usize = 4096;
+
+/// Two samples of every tile tell how long it takes and where the noise is: at a few edges, often.
+/// Then more samples of the noisiest tiles, and of some of the others, which stand for all others.
+/// The same tiles and samples in every run. `now` tells seconds since any fixed moment.
 pub fn pilot(world: &World, integrator: &Integrator, seed: u64, now: &dyn Fn() -> f64) -> Pilot {
     let rhythm = world.sampler.rhythm();
     let samples = samples(rhythm);
     let all = world.film.tiles();
-    let tiles = chosen(all.len(), (SAMPLES / samples / all[0].pixels()).max(1) as usize);
-    let settings = Settings::samples(seed, samples);
     let mut taken = Taken::new(&world.film, rhythm, 0);
-    // The first warms caches up.
-    let mut begun = 0.0;
-    for range in [0..1, 1..samples] {
-        begun = now();
+    let mut take = |tiles: &[usize], range: std::ops::Range<u64>| {
         let job = Job {
-            seed: settings.seed,
+            seed,
             samples: range.clone(),
-            tiles: &tiles,
+            tiles,
             taken: &taken,
             cancelled: &|| false,
             advance: &|_| (),
         };
-        let sums = integrator.pass(world, &job);
-        for (tile, sums) in tiles.iter().zip(sums) {
+        for (tile, sums) in tiles.iter().zip(integrator.pass(world, &job)) {
             if let Some(sums) = sums {
                 taken.put(*tile, sums, range.end);
             }
         }
-    }
+        taken.clone()
+    };
+    let looked = chosen(all.len(), MOST_TILES);
+    // The first warms caches up.
+    take(&looked, 0..1);
+    let begun = now();
+    let first = take(&looked, 1..2);
     let seconds = now() - begun;
-    let counts = taken.counts();
-    let (noise, bound) = noise_of(world, &taken, &tiles);
-    let pixels = tiles.iter().map(|tile| all[*tile].pixels()).sum();
+    let counts = first.counts();
+    let timed = looked.iter().map(|tile| all[*tile].pixels()).sum();
+
+    let (noisy, others) =
+        parts(world, &first, looked, (SAMPLES / samples / all[0].pixels()) as usize);
+    let some = chosen(others.len(), noisy.len().max(1));
+    let some: Vec<usize> = some.into_iter().map(|nth| others[nth]).collect();
+    let mut tiles = [&noisy[..], &some[..]].concat();
+    tiles.sort_unstable();
+    let taken = take(&tiles, 2..samples);
+    let stands_for = others.len() as f64 / some.len().max(1) as f64;
+    let weight = |tile: usize| if noisy.contains(&tile) { 1.0 } else { stands_for };
+    let (noise, bound) = noise_of(world, &taken, &tiles, weight);
     Pilot {
         samples,
-        pixels,
-        timed: (samples - 1) * pixels,
+        pixels: tiles.iter().map(|tile| all[*tile].pixels()).sum(),
+        timed,
         seconds,
         shadow_rays: counts.shadow_rays as f64 / counts.rays.max(1) as f64,
         noise,
         bound,
     }
+}
+
+/// The noisiest of some tiles, half of so many, and all others in their order.
+fn parts(
+    world: &World,
+    taken: &Taken,
+    mut looked: Vec<usize>,
+    wanted: usize,
+) -> (Vec<usize>, Vec<usize>) {
+    if looked.len() <= wanted {
+        return (looked, Vec::new());
+    }
+    let means: Vec<TileMeans> = taken.means(&world.film.window, world.light_unit).collect();
+    let epsilon = epsilon(means.iter());
+    let noise = |tile: &usize| {
+        let means = &means[*tile];
+        Share::of(&means.pixels, means.freedom.max(1), means.bound, epsilon).noise(epsilon).relmse
+    };
+    let noise: HashMap<usize, f64> = looked.iter().map(|tile| (*tile, noise(tile))).collect();
+    looked.sort_by(|a, b| noise[b].total_cmp(&noise[a]).then(a.cmp(b)));
+    let mut others = looked.split_off((wanted / 2).max(1));
+    others.sort_unstable();
+    (looked, others)
 }
 
 /// Samples of each pixel: two whole rounds, if they are not too many, since only rounds tell how
@@ -107,24 +145,32 @@ fn chosen(all: usize, wanted: usize) -> Vec<usize> {
     tiles
 }
 
-fn noise_of(world: &World, taken: &Taken, tiles: &[usize]) -> (Option<Noise>, bool) {
-    let means: Vec<_> = taken
+/// The noise of a picture for which these tiles stand, each for so many.
+fn noise_of(
+    world: &World,
+    taken: &Taken,
+    tiles: &[usize],
+    weight: impl Fn(usize) -> f64,
+) -> (Option<Noise>, bool) {
+    let means: Vec<(usize, TileMeans)> = taken
         .means(&world.film.window, world.light_unit)
         .enumerate()
         .filter(|(index, _)| tiles.binary_search(index).is_ok())
-        .map(|(_, means)| means)
         .collect();
-    if means.iter().any(|tile| tile.freedom == 0) {
+    if means.iter().any(|(_, tile)| tile.freedom == 0) {
         return (None, false);
     }
-    let pixels = means.iter().flat_map(|tile| &tile.pixels);
-    let luminance = |[r, g, b]: [f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    let epsilon = noise::epsilon(pixels.map(|pixel| luminance(pixel.mean)));
-    let share = |tile: &crate::render::film::TileMeans| {
-        Share::of(&tile.pixels, tile.freedom, tile.bound, epsilon)
+    let epsilon = epsilon(means.iter().map(|(_, tile)| tile));
+    let share = |(index, tile): &(usize, TileMeans)| {
+        Share::of(&tile.pixels, tile.freedom, tile.bound, epsilon).times(weight(*index))
     };
     let all = means.iter().map(share).fold(Share::default(), |all, share| all.and(&share));
-    (Some(all.noise(epsilon)), means.iter().any(|tile| tile.bound))
+    (Some(all.noise(epsilon)), means.iter().any(|(_, tile)| tile.bound))
+}
+
+fn epsilon<'a>(means: impl Iterator<Item = &'a TileMeans>) -> f64 {
+    let luminance = |[r, g, b]: [f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    noise::epsilon(means.flat_map(|tile| &tile.pixels).map(|pixel| luminance(pixel.mean)))
 }
 
 #[cfg(test)]
