@@ -29,6 +29,7 @@ impl Finish<'_> {
         self.log.tell(&Event::Rendered {
             render: render.clone(),
             samples: outcome.samples,
+            mean_samples: outcome.mean_samples,
             rays: outcome.rays,
             shadow_rays: outcome.shadow_rays,
             seconds: outcome.seconds,

@@ -45,6 +45,7 @@ pub fn percent(part: f64) -> String {
     match percent {
         p if !p.is_finite() => "over any bound".to_string(),
         0.0 => "0 %".to_string(),
+        p if p < 1e-9 => format!("{p:.2e} %"),
         p if p >= 100.0 => format!("{p:.0} %"),
         p => {
             let digits = (2 - p.abs().log10().floor() as i32).clamp(0, 12) as usize;
@@ -68,6 +69,7 @@ mod tests {
             (0.9999, "100 %"),
             (12.3456, "1235 %"),
             (1.23456e-5, "0.00123 %"),
+            (1e-300, "1.00e-298 %"),
             (f64::INFINITY, "over any bound"),
         ] {
             assert_eq!(percent(part), words);

@@ -58,6 +58,7 @@ pub enum Event {
     Rendered {
         render: String,
         samples: u64,
+        mean_samples: f64,
         rays: u64,
         shadow_rays: u64,
         seconds: f64,
@@ -211,6 +212,7 @@ fn human(event: &Event) -> String {
             limits,
             stopped_by,
             samples,
+            mean_samples,
             ..
         } => {
             let mut all = counted(*rays, "ray");
@@ -225,7 +227,10 @@ fn human(event: &Event) -> String {
             if limits::several(limits) && *stopped_by != "interruption"
                 || ["time", "error"].contains(stopped_by)
             {
-                let reached = counted(*samples, "ray");
+                let mut reached = counted(*samples, "ray");
+                if *mean_samples < 0.999 * *samples as f64 {
+                    reached = format!("{mean_samples:.0} on average and at most {reached}");
+                }
                 text.push_str(&line(
                     "stopped",
                     &format!("by {stopped_by}, after {reached} a pixel"),
@@ -338,6 +343,7 @@ mod tests {
             Event::Rendered {
                 render: "a".into(),
                 samples: 16,
+                mean_samples: 16.0,
                 rays: 4_194_304,
                 shadow_rays: 1000,
                 seconds: 2.0,

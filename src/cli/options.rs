@@ -18,7 +18,7 @@ Examples:
   scn merge fig.*.part -o fig.exr             the picture of a render made in parts
   scn compare a.exr reference.exr             how far a picture is from another
   scn list material                           what the language has to offer
-  scn explain type/dimension                  what a fault means, and how it is mended
+  scn explain type/mismatch                   what a fault means, and how it is mended
 
 Exit status: 0 well; 1 the scene, or a file it names, has errors, or what compare or fmt was
 asked to look for holds; 2 the tool could not do its work (options, the scene file itself, the

@@ -1,7 +1,8 @@
-//! Ctrl-C: the first one asks the work to end well, the second one ends it.
+//! Ctrl-C: the first one asks the work to end well, a later one ends it.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
 use super::terminal;
 
@@ -9,13 +10,24 @@ use super::terminal;
 pub const INTERRUPTED: u8 = 130;
 
 static ASKED: AtomicU32 = AtomicU32::new(0);
+/// When the first one came.
+static SINCE: Mutex<Option<Instant>> = Mutex::new(None);
+/// A second one that comes sooner is the first one once more: some tools send it to a process and
+/// then to its whole group.
+const ECHO: Duration = Duration::from_millis(500);
 /// Held while a file is written, so that the end comes before or after it.
 static WRITING: Mutex<()> = Mutex::new(());
 
 /// Listens from now on to Ctrl-C, and to a polite request to terminate.
 pub fn listen(quiet: bool) {
     let heard = ctrlc::set_handler(move || {
+        let mut since = SINCE.lock().unwrap_or_else(PoisonError::into_inner);
+        let first = *since.get_or_insert_with(Instant::now);
+        drop(since);
         if ASKED.fetch_add(1, Ordering::SeqCst) > 0 {
+            if first.elapsed() < ECHO {
+                return;
+            }
             let _writing = writing();
             std::process::exit(i32::from(INTERRUPTED));
         }

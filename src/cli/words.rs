@@ -33,6 +33,7 @@ pub fn duration(seconds: f64) -> String {
     match whole {
         0..=99 => format!("{whole} s"),
         100..=5999 => format!("{} min {} s", whole / 60, whole % 60),
+        _ if seconds >= 3.6e9 => format!("{:.2e} h", seconds / 3600.0),
         _ => format!("{} h {} min", whole / 3600, whole % 3600 / 60),
     }
 }

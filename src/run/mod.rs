@@ -92,6 +92,8 @@ pub struct Outcome {
     /// Samples of each pixel; of the pixels that have most, if tiles differ. 0: cancelled before
     /// each pixel had its first.
     pub samples: u64,
+    /// Samples of a pixel, on average.
+    pub mean_samples: f64,
     /// Samples of each tile's pixels, where tiles differ.
     pub schedule: Option<Vec<u64>>,
     /// Why it ended.
@@ -215,7 +217,9 @@ pub fn outcome(
     let judged = judge::judge(window, light_unit, &taken);
     let most = taken.ends().max().unwrap_or(0) - taken.first();
     let least = taken.ends().min().unwrap_or(0) - taken.first();
+    let pixels: u64 = window.pixels();
     Outcome {
+        mean_samples: counts.rays as f64 / pixels.max(1) as f64,
         picture: developed.picture,
         standard_error: developed.standard_error,
         noise: judged.as_ref().map(Judgement::whole),

@@ -1,6 +1,7 @@
 //! A short render: what a whole one will take, and how wrong it will be.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use crate::math::random;
 use crate::measure::noise::{self, Noise, Share};
@@ -54,12 +55,12 @@ pub fn pilot(world: &World, integrator: &Integrator, seed: u64, now: &dyn Fn() -
     let samples = samples(rhythm);
     let all = world.film.tiles();
     let mut taken = Taken::new(&world.film, rhythm, 0);
-    let mut take = |tiles: &[usize], range: std::ops::Range<u64>| {
+    let take = |taken: &mut Taken, tiles: &[usize], range: Range<u64>| {
         let job = Job {
             seed,
             samples: range.clone(),
             tiles,
-            taken: &taken,
+            taken,
             cancelled: &|| false,
             advance: &|_| (),
         };
@@ -68,24 +69,23 @@ pub fn pilot(world: &World, integrator: &Integrator, seed: u64, now: &dyn Fn() -
                 taken.put(*tile, sums, range.end);
             }
         }
-        taken.clone()
     };
     let looked = chosen(all.len(), MOST_TILES);
     // The first warms caches up.
-    take(&looked, 0..1);
+    take(&mut taken, &looked, 0..1);
     let begun = now();
-    let first = take(&looked, 1..2);
+    take(&mut taken, &looked, 1..2);
     let seconds = now() - begun;
-    let counts = first.counts();
+    let counts = taken.counts();
     let timed = looked.iter().map(|tile| all[*tile].pixels()).sum();
 
     let (noisy, others) =
-        parts(world, &first, looked, (SAMPLES / samples / all[0].pixels()) as usize);
+        parts(world, &taken, looked, (SAMPLES / samples / all[0].pixels()) as usize);
     let some = chosen(others.len(), noisy.len().max(1));
     let some: Vec<usize> = some.into_iter().map(|nth| others[nth]).collect();
     let mut tiles = [&noisy[..], &some[..]].concat();
     tiles.sort_unstable();
-    let taken = take(&tiles, 2..samples);
+    take(&mut taken, &tiles, 2..samples);
     let stands_for = others.len() as f64 / some.len().max(1) as f64;
     let weight = |tile: usize| if noisy.contains(&tile) { 1.0 } else { stands_for };
     let (noise, bound) = noise_of(world, &taken, &tiles, weight);

@@ -1,12 +1,16 @@
 //! What a render will take and reach, told from a pilot run.
 //!
 //! Time grows with the samples; the error, √relMSE, falls with the square root of their number. For
-//! stratified samples that is cautious: their error falls faster, at edges and in smooth parts.
+//! samples spread evenly that is cautious: their error falls faster, at edges and in smooth parts.
 
 use serde::Serialize;
 
+use crate::cli::options::MAX_SAMPLES;
 use crate::render::samplers::Rhythm;
 use crate::run::{Pilot, Rule, first_check};
+
+/// Samples a pixel that can be asked for.
+pub const MOST_SAMPLES: u64 = MAX_SAMPLES;
 
 /// The errors that are always told of.
 const TARGETS: [f64; 2] = [0.01, 0.001];
@@ -51,7 +55,9 @@ impl Forecast {
         let limit = |limit, value, samples: Option<f64>| Limit {
             limit,
             value,
-            reached: samples.map(|samples| told.reached(samples)),
+            reached: samples
+                .filter(|samples| *samples <= MOST_SAMPLES as f64)
+                .map(|samples| told.reached(samples)),
         };
         let samples = rule.samples.map(|n| limit("samples", n as f64, Some(n as f64)));
         let time = rule.time.map(|time| {
@@ -90,7 +96,7 @@ struct Told<'a> {
 
 impl Told<'_> {
     fn reached(&self, samples: f64) -> Reached {
-        let samples = samples.clamp(1.0, 1e18);
+        let samples = samples.max(1.0);
         let relmse = self.pilot.noise.map(|noise| noise.relmse);
         Reached {
             samples: samples as u64,

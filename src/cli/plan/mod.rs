@@ -22,7 +22,6 @@ use crate::math::{NoProgress, Rgb};
 use crate::plan::{Feature, Need};
 use crate::prepare::{self, Prepared};
 use crate::render::film::Taken;
-use crate::render::samplers::Sampler;
 use crate::render::tiles::Threads;
 use crate::run::{self, Pilot, Watch};
 use forecast::Forecast;
@@ -38,7 +37,7 @@ struct Planned {
     memory: Memory,
     pilot: OfPilot,
     /// Whether samples are spread evenly, so that their error falls faster than is told.
-    stratified: bool,
+    cautious: bool,
     #[serde(flatten)]
     forecast: Forecast,
     biases: Vec<Told>,
@@ -199,7 +198,7 @@ fn one(
     let rule = limits::of(options.samples, options.time, options.error, &stage.scene.stop);
     let pixels = world.film.window.pixels();
     let rhythm = world.sampler.rhythm();
-    let stratified = matches!(world.sampler, Sampler::Stratified { .. });
+    let cautious = rhythm.round > 1;
     let forecast = Forecast::new(&pilot, pixels, &rule, rhythm);
     let end = forecast.end().map_or(pilot.samples, |end| end.samples);
     let film =
@@ -232,7 +231,7 @@ fn one(
             peak: files::memory::peak().map(|peak| peak.saturating_add(film)),
         },
         pilot: OfPilot::new(&pilot),
-        stratified,
+        cautious,
         forecast,
         biases,
     })

@@ -1,10 +1,11 @@
 //! Plans as people read them, in 80 columns.
 
-use super::forecast::{Limit, Reached};
+use super::forecast::{Limit, MOST_SAMPLES, Reached};
 use super::{Planned, RULE};
 use crate::cli::limits::percent;
 use crate::cli::words::{counted, duration, rate, size};
 use crate::plan::Need;
+use crate::run::LEAST_FOR_ERROR;
 
 /// Columns of a line.
 const WIDTH: usize = 80;
@@ -98,6 +99,14 @@ fn told(reached: &Reached) -> String {
     }
 }
 
+/// Why it is not told what a limit leads to.
+fn none(planned: &Planned) -> String {
+    match planned.pilot.error {
+        None => "not to be told".to_string(),
+        Some(_) => format!("out of reach: over {} a pixel", counted(MOST_SAMPLES, "sample")),
+    }
+}
+
 fn limits(planned: &Planned) -> Vec<String> {
     let forecast = &planned.forecast;
     let line = |limit: &Limit| {
@@ -107,7 +116,7 @@ fn limits(planned: &Planned) -> Vec<String> {
             _ => format!("an error of {}", percent(limit.value)),
         };
         let then = match (&limit.reached, limit.limit) {
-            (None, _) => "not to be told".to_string(),
+            (None, _) => none(planned),
             (Some(reached), "samples") => told(reached),
             (Some(reached), "time") => {
                 let error = reached.error.map(|error| format!(", error {}", percent(error)));
@@ -130,16 +139,23 @@ fn limits(planned: &Planned) -> Vec<String> {
 
 fn targets(planned: &Planned) -> Vec<String> {
     let line = |limit: &Limit| {
-        let reached = limit.reached?;
+        let Some(reached) = limit.reached else {
+            let known = planned.pilot.error.is_some();
+            return known.then(|| format!("{} is {}", percent(limit.value), none(planned)));
+        };
         let samples = counted(reached.samples, "sample");
         let seconds = about(reached.seconds);
-        Some(format!("{} takes {samples} a pixel, {seconds}", percent(limit.value)))
+        let mut text = format!("{} takes {samples} a pixel, {seconds}", percent(limit.value));
+        if reached.samples < LEAST_FOR_ERROR {
+            text.push_str(&format!(" (by --error: {LEAST_FOR_ERROR})"));
+        }
+        Some(text)
     };
     let mut all: Vec<String> = planned.forecast.targets.iter().filter_map(line).collect();
     if !all.is_empty() {
         all.push(RULE.to_string());
-        if planned.stratified {
-            all.push("cautious: stratified samples may need fewer".to_string());
+        if planned.cautious {
+            all.push("cautious: samples spread evenly may need fewer".to_string());
         }
     }
     all
