@@ -192,6 +192,8 @@ fn one(
         check(found, sources, &shown(&options.file))?;
         return Err(End::SceneErrors);
     };
+    // The pilot run takes sums of its own, which are no part of the render.
+    let loaded = files::memory::peak();
     let watch = Clock(Instant::now());
     let Prepared { world, integrator, .. } = &prepared;
     let pilot = run::pilot(world, integrator, options.seed, &|| watch.now());
@@ -228,7 +230,7 @@ fn one(
             objects: objects.collect(),
             geometry: prepared.summary.bytes,
             film,
-            peak: files::memory::peak().map(|peak| peak.saturating_add(film)),
+            peak: loaded.map(|peak| peak.saturating_add(film)),
         },
         pilot: OfPilot::new(&pilot),
         cautious,
