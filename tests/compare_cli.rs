@@ -148,6 +148,24 @@ fn epsilon_is_the_users() {
 }
 
 #[test]
+fn the_epsilon_of_a_file_is_taken_and_another_one_told() {
+    let folder = Folder::new();
+    folder.exr("a.exr", &ramp(2.0), &[("error_epsilon", "1e-4")]);
+    folder.exr("b.exr", &ramp(1.0), &[]);
+    let used = |json: &Value| number(&json["settings"]["relmse_epsilon"]);
+    let plain = folder.json(&["a.exr", "b.exr"]);
+    let own = folder.json(&["a.exr", "b.exr", "--epsilon", "own"]);
+    let near = folder.json(&["a.exr", "b.exr", "--epsilon", "1.5e-4"]);
+    assert_eq!((used(&plain), used(&own)), (0.01, 1e-4));
+    assert!(plain["notes"].to_string().contains("--epsilon own"), "{plain}");
+    assert!(!own["notes"].to_string().contains("own"), "{own}");
+    assert!(!near["notes"].to_string().contains("own"), "{near}");
+    let told = folder.compare(&["b.exr", "a.exr", "--epsilon", "own"]);
+    assert_eq!(told.status, 2);
+    assert!(told.stderr.contains("`b.exr` states no ε"), "{told:?}");
+}
+
+#[test]
 fn a_condition_that_holds_ends_with_one() {
     let folder = Folder::new();
     folder.exr("a.exr", &ramp(1.1), &[]);

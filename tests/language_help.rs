@@ -45,6 +45,21 @@ fn what_is_offered_can_be_what_was_meant() {
 fn forms_of_other_languages_are_known() {
     for (text, offered) in [
         ("camera: perspective { eye: (0, 0, 0), look_at: (0, 0, 1), fov_y: 35° }", "`deg`"),
+        (
+            "camera: perspective { eye: [0, 2, 7], look_at: (0, 0, 0), fov_y: 35 deg }",
+            "round brackets: `(0, 2, 7)`",
+        ),
+        (
+            "camera: perspective { eye: (0, 2, 7), look_at: (0, 0, 0), fov_y: 35 rad }",
+            "did you mean `35 deg`?",
+        ),
+        (
+            "camera: perspective { eye: (0, 2, 7), look_at: (0, 0, 0), fov_y: 35 rad }",
+            "less than 180 deg, and is 35 rad",
+        ),
+        ("material a: diffuse { albedo: 0.8 0.4 0.2 }", "write `rgb(0.8, 0.4, 0.2)`"),
+        ("material a.albedo: 0.8 0.4 0.2", "write `rgb(0.8, 0.4, 0.2)`"),
+        ("light a: directional { direction: x, irradiance: blackbody(5772 K) }", "`* 6.8e-5 sr`"),
         ("film: { size: 512 x 512 }", "write `(512, 512)`"),
         ("film.size: 512 x 384", "write `(512, 384)`"),
         ("material a: diffuse { albedo: #cc6644 }", "srgb(0.800, 0.400, 0.267)"),

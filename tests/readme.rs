@@ -49,6 +49,15 @@ fn its_scenes_render() {
 }
 
 #[test]
+fn its_scenes_are_in_the_style() {
+    for text in of_kind("scn") {
+        let id = scn::diag::Sources::new().add("scene.scn", &text);
+        let styled = scn::lang::format::format(&text, id).expect("no faults of syntax");
+        assert_eq!(styled, text, "`scn fmt` would change it");
+    }
+}
+
+#[test]
 fn its_faulty_scene_is_reported_as_printed() {
     let faulty = of_kind("scn-faulty");
     let printed = of_kind("text");

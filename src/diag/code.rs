@@ -87,6 +87,7 @@ codes! {
     LINT_IGNORED_FIELD = "lint/ignored-field";
     LINT_INWARD_LAMP = "lint/inward-lamp";
     LINT_LAMP_FACES_AWAY = "lint/lamp-faces-away";
+    LINT_LARGE_ERROR = "lint/large-error";
     LINT_LIGHT_BEHIND_PLANE = "lint/light-behind-plane";
     LINT_MANY_TURNS = "lint/many-turns";
     LINT_MISSING_CAPTION = "lint/missing-caption";

@@ -61,6 +61,12 @@ impl Input {
         self.words.iter().find(|(k, _)| k == key).map(|(_, value)| value.as_str())
     }
 
+    /// The ε of the error that its file states: above 0, in squared units of the picture.
+    pub fn epsilon(&self) -> Option<f64> {
+        let stated = self.word("scn:error_epsilon")?.parse().ok();
+        stated.filter(|epsilon: &f64| epsilon.is_finite() && *epsilon > 0.0)
+    }
+
     /// This picture and its reference, if they can be compared.
     pub fn pair<'a>(&'a self, reference: &'a Self) -> Result<Pair<'a>, Refusal> {
         let (a, b) = (self.described(), reference.described());

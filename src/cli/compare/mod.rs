@@ -18,6 +18,7 @@ use condition::Condition;
 use input::{Input, shown};
 
 pub use options::Compare;
+use options::Epsilon;
 
 /// Why nothing could be done, as a line for a person.
 type Refusal = String;
@@ -78,7 +79,7 @@ fn compare(options: &Compare) -> Result<End, Vec<Refusal>> {
     let inputs = read(&options.files())?;
     let (reference, tests) = inputs.split_last().ok_or_else(Vec::new)?;
     let settings = measure::Settings {
-        epsilon: options.epsilon,
+        epsilon: epsilon(options.epsilon, tests).map_err(|refusal| vec![refusal])?,
         radiance: inputs.iter().all(|input| input.radiance),
         ..measure::Settings::default()
     };
@@ -114,6 +115,17 @@ fn compare(options: &Compare) -> Result<End, Vec<Refusal>> {
         Form::Json => terminal::say(&json::json(&comparison)),
     }
     Ok(judge(&comparison))
+}
+
+/// The ε of relmse that is asked for.
+fn epsilon(asked: Epsilon, tests: &[Input]) -> Result<f64, Refusal> {
+    match (asked, tests.first()) {
+        (Epsilon::Number(epsilon), _) => Ok(epsilon),
+        (Epsilon::Own, Some(first)) => first.epsilon().ok_or_else(|| {
+            format!("`{}` states no ε (scn:error_epsilon) for --epsilon own", first.name)
+        }),
+        (Epsilon::Own, None) => Err("there is no picture whose ε could be taken".to_string()),
+    }
 }
 
 /// Tells which conditions hold, and which cannot be judged.

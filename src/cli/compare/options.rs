@@ -1,5 +1,6 @@
 //! What can be asked of `scn compare`, by clap.
 
+use std::fmt;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -15,6 +16,7 @@ Examples:
   scn compare fast.exr slow.exr                       fast.exr against slow.exr
   scn compare new.exr old.exr --reference truth.exr   each of the two against truth.exr
   scn compare a.exr b.exr -o diff.png                 where they differ, as an eye sees it
+  scn compare a.exr truth.exr --epsilon own           as the error that a.exr states is defined
   scn compare a.exr b.exr --fail-if 'relmse > 0.01' --fail-if 'flip_hdr > 0.05'
 
 Metrics: mse, relmse, relmse_trimmed, mape, bias, bias_red, bias_green, bias_blue, error_p999,
@@ -34,9 +36,11 @@ pub struct Compare {
     /// Judge both A and B against this one
     #[arg(long, short, value_name = "R")]
     pub reference: Option<PathBuf>,
-    /// The ε of relmse, which keeps dark pixels from counting without bound
-    #[arg(long, value_name = "E", default_value_t = RELMSE_EPSILON, value_parser = epsilon)]
-    pub epsilon: f64,
+    /// The ε of relmse, which keeps dark pixels from counting without bound: a number, or `own`
+    /// for the one that A's file states with its error
+    #[arg(long, value_name = "E", default_value_t = Epsilon::Number(RELMSE_EPSILON))]
+    #[arg(value_parser = Epsilon::parse)]
+    pub epsilon: Epsilon,
     /// How the figures are written to stdout: for people, or as one JSON object
     #[arg(long, value_name = "FORM", default_value = "human")]
     pub format: Form,
@@ -58,11 +62,38 @@ impl Compare {
     }
 }
 
-fn epsilon(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| "write a number, such as 0.01".to_string())?;
-    if value > 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        Err("it must be above 0, and finite".to_string())
+/// Which ε relmse has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Epsilon {
+    /// This one, above 0.
+    Number(f64),
+    /// That of the error which A's file states.
+    Own,
+}
+
+impl Epsilon {
+    fn parse(text: &str) -> Result<Self, String> {
+        if text == OWN {
+            return Ok(Self::Own);
+        }
+        let why = || format!("write a number, such as 0.01, or {OWN}");
+        let value: f64 = text.parse().map_err(|_| why())?;
+        if value > 0.0 && value.is_finite() {
+            Ok(Self::Number(value))
+        } else {
+            Err("it must be above 0, and finite".to_string())
+        }
+    }
+}
+
+/// The word for the ε of the file.
+const OWN: &str = "own";
+
+impl fmt::Display for Epsilon {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(value) => write!(f, "{value}"),
+            Self::Own => f.write_str(OWN),
+        }
     }
 }

@@ -8,6 +8,9 @@ use crate::files;
 /// What differs from picture to picture without telling why the pictures do.
 const SILENT: [&str; 2] = ["scn:time", "scn:caption"];
 
+/// Figures whose ε differ by more than this factor are told to be different.
+const OTHER_EPSILON: f64 = 2.0;
+
 /// Values longer than this, in characters, are cut in tables.
 const LONGEST_VALUE: usize = 24;
 
@@ -74,6 +77,14 @@ pub fn notes(comparison: &Comparison) -> Vec<String> {
         if count(reference).zip(count(input)).is_some_and(|(few, own)| few < own) {
             notes.push(format!(
                 "{b} has fewer samples than {a}: what is shown is rather the reference's error."
+            ));
+        }
+        let used = comparison.settings.epsilon;
+        let other = |own: &f64| !(1.0 / OTHER_EPSILON..=OTHER_EPSILON).contains(&(own / used));
+        if let Some(own) = input.epsilon().filter(other) {
+            notes.push(format!(
+                "the error that {a} states has ε = {own:.3e}, and relmse here {used}: they are \
+                 different figures. --epsilon own takes the one of the file."
             ));
         }
         if input.radiance != reference.radiance {

@@ -66,8 +66,16 @@ pub fn in_range(
         ValueKind::Number { unit, .. } => unit,
         _ => None,
     };
-    let show = |x: f64| shown(x, dimension, unit);
-    ev.reports.tell(types::out_of_range(what, &show(x), range, &show, value.span));
+    let radians = unit.filter(|unit| dimension == Dimension::ANGLE && unit.scale == 1.0);
+    let found = shown(x, dimension, unit);
+    // Nobody knows the bounds of angles in radians.
+    let show = |x: f64| shown(x, dimension, unit.filter(|_| radians.is_none()));
+    let told = types::out_of_range(what, &found, range, &show, value.span);
+    let degrees = radians.filter(|_| range.holds(x.to_radians())).map(|_| x);
+    ev.reports.tell(match degrees {
+        Some(degrees) => types::degrees_meant(told, degrees, ev.written(value.span), value.span),
+        None => told,
+    });
     None
 }
 
@@ -79,13 +87,8 @@ pub fn point(ev: &Evaluator, value: &Value, what: &str) -> Option<DVec3> {
         }
         ValueKind::Broken => None,
         _ => {
-            let found = value.described();
-            ev.reports.tell(types::mismatch(
-                what,
-                "a point such as `(0, 1, 2)`",
-                &found,
-                value.span,
-            ));
+            let expected = "a point such as `(0, 1, 2)`";
+            tell_no_vector(ev, value, expected, what);
             None
         }
     }
@@ -132,7 +135,7 @@ pub fn direction(ev: &Evaluator, value: &Value, what: &str) -> Option<DVec3> {
     let ValueKind::Vector { components, .. } = &quantity.kind else {
         if !quantity.is_broken() {
             let expected = "a direction: `x`, `-y` or a vector";
-            ev.reports.tell(types::mismatch(what, expected, &value.described(), value.span));
+            tell_no_vector(ev, value, expected, what);
         }
         return None;
     };
@@ -161,6 +164,15 @@ pub fn direction(ev: &Evaluator, value: &Value, what: &str) -> Option<DVec3> {
         return None;
     }
     Some((DVec3::from_array(found) / largest).normalize())
+}
+
+/// Tells what stands where a vector belongs.
+fn tell_no_vector(ev: &Evaluator, value: &Value, expected: &str, what: &str) {
+    let told = types::mismatch(what, expected, &value.described(), value.span);
+    ev.reports.tell(match value.kind {
+        ValueKind::List(_) => types::round_brackets(told, ev.written(value.span), value.span),
+        _ => told,
+    });
 }
 
 /// Whether a component covers more text than a number alone does, blanks and a sign included.

@@ -60,7 +60,10 @@ pub fn spectrum(
             let expected = crate::lang::errors::with_article(spectral.word());
             let told = types::dimension(what, &expected, &found.name(), value.span);
             let text = ev.written(value.span);
-            ev.reports.tell(types::with_unit(told, text, found, dimension, value.span));
+            let told = types::with_unit(told, text, found, dimension, value.span);
+            let whole = found.times(Dimension::SOLID_ANGLE);
+            let lacking = whole == dimension || Some(whole) == spectral.density();
+            ev.reports.tell(if lacking { types::lacks_solid_angle(told) } else { told });
             return None;
         }
     };

@@ -191,6 +191,43 @@ pub fn out_of_range(
         .label(span, format!("must be {bounds}"))
 }
 
+/// An angle that lies within its bounds if its number counts degrees; `text`: as written.
+pub fn degrees_meant(told: Diagnostic, degrees: f64, text: Option<&str>, span: Span) -> Diagnostic {
+    let right = format!("{} deg", digits(degrees));
+    let told = told.help(format!("did you mean `{right}`?"));
+    match text.is_some_and(|text| text.starts_with(|c: char| c.is_ascii_digit())) {
+        true => told.mend(format!("write `{right}`"), span, right),
+        false => told,
+    }
+}
+
+/// A radiance where an irradiance belongs: only the solid angle is missing.
+pub fn lacks_solid_angle(told: Diagnostic) -> Diagnostic {
+    match told.help {
+        None => {
+            told.help("multiply it by the solid angle of the light: `* 6.8e-5 sr` is the sun's")
+        }
+        Some(_) => told,
+    }
+}
+
+/// A list where a vector belongs; `text`: as written.
+pub fn round_brackets(told: Diagnostic, text: Option<&str>, span: Span) -> Diagnostic {
+    let inside = text.and_then(|text| text.strip_prefix('[')?.strip_suffix(']'));
+    let plain = |inside: &&str| inside.len() <= 60 && !inside.contains(['\n', '[']);
+    match inside.filter(plain).filter(|inside| inside.matches(',').count() == 2) {
+        None => told.help("a vector stands in round brackets: `(x, y, z)`"),
+        Some(inside) => {
+            let right = format!("({})", inside.trim().trim_end_matches(',').trim_end());
+            told.help(format!("a vector stands in round brackets: `{right}`")).mend(
+                format!("write `{right}`"),
+                span,
+                right,
+            )
+        }
+    }
+}
+
 /// Components of `srgb` beyond 0 to 1. `literal`: all of them are written as numbers.
 pub fn encoded_range(components: [f64; 3], literal: bool, span: Span) -> Diagnostic {
     let shown = components.map(digits).join(", ");

@@ -38,12 +38,24 @@ pub fn hint(text: &str, at: usize) -> Option<String> {
             return Some(format!("write commas between them: `({})`", all.join(", ")));
         }
     }
+    if let Some(vector) = three_numbers(line, after) {
+        return Some(format!("write `rgb{vector}` for a colour, `{vector}` for a vector"));
+    }
     let word = leading(after, |c| c.is_ascii_alphanumeric() || c == '_');
     if line.ends_with(')') && units::find(word).is_some() {
         let unit = after.split([',', '}', ')', ']']).next().unwrap_or(word).trim();
         return Some(format!("write `*` before the unit: `… * {unit}`"));
     }
     block_or_name(line, after).or_else(|| field(line, word))
+}
+
+/// `key: 0.8 0.4 0.2`, which the grammar refuses at its second or third number: "(0.8, 0.4, 0.2)".
+fn three_numbers(line: &str, after: &str) -> Option<String> {
+    let first = line.rsplit([':', '=']).next()?;
+    let rest = after.split(['}', ',', '/']).next()?;
+    let all: Vec<_> = first.split_whitespace().chain(rest.split_whitespace()).collect();
+    let numbers = all.len() == 3 && all.iter().all(|part| part.parse::<f64>().is_ok());
+    numbers.then(|| format!("({})", all.join(", ")))
 }
 
 /// `render a: { … }`, and names that need quotes.

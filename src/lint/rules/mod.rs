@@ -12,6 +12,7 @@ mod hidden_by_plane;
 mod ignored_field;
 mod inward_lamp;
 mod lamp_faces_away;
+mod large_error;
 mod light_behind_plane;
 mod many_turns;
 mod missing_caption;
@@ -48,6 +49,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_IGNORED_FIELD, look: Look::Renders(ignored_field::look) },
     Rule { code: Code::LINT_INWARD_LAMP, look: Look::Render(inward_lamp::look) },
     Rule { code: Code::LINT_LAMP_FACES_AWAY, look: Look::Render(lamp_faces_away::look) },
+    Rule { code: Code::LINT_LARGE_ERROR, look: Look::Render(large_error::look) },
     Rule { code: Code::LINT_LIGHT_BEHIND_PLANE, look: Look::Renders(light_behind_plane::look) },
     Rule { code: Code::LINT_MANY_TURNS, look: Look::Render(many_turns::look) },
     Rule { code: Code::LINT_MISSING_CAPTION, look: Look::Renders(missing_caption::look) },

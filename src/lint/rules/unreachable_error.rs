@@ -3,7 +3,7 @@
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 
-/// No error is known of fewer samples a pixel.
+/// No error is looked at of fewer samples a pixel.
 const LEAST: u64 = 256;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
@@ -20,6 +20,8 @@ fn unreachable(samples: u64, at: Span, error: Span) -> Diagnostic {
     Diagnostic::warning(Code::LINT_UNREACHABLE_ERROR, headline)
         .label(error, "is never looked at")
         .label(at, "ends the render first")
-        .why(format!("The error of a picture is known from {LEAST} samples a pixel on."))
+        .why(format!(
+            "The error of a picture is looked at from {LEAST} samples a pixel on, not before."
+        ))
         .help("allow more samples, such as `samples: 4096`, or ask for no error")
 }
