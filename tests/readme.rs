@@ -51,7 +51,7 @@ fn its_scenes_render() {
 #[test]
 fn its_scenes_are_in_the_style() {
     for text in of_kind("scn") {
-        let id = scn::diag::Sources::new().add("scene.scn", &text);
+        let id = scn::diag::Sources::new().add("scene.scn", text.as_str());
         let styled = scn::lang::format::format(&text, id).expect("no faults of syntax");
         assert_eq!(styled, text, "`scn fmt` would change it");
     }
