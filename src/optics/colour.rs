@@ -76,11 +76,26 @@ pub fn eye_width() -> f64 {
     eye().width
 }
 
+/// A table whose greatest magnitude is near one, and the power of two that makes it the table it
+/// was: products and sums of huge values stay numbers, and those of tiny ones do not vanish. What is
+/// infinite counts as the largest number.
+fn of_size_one(table: &Table) -> (Table, f64) {
+    let most = table.nodes().iter().map(|(_, value)| value.abs()).fold(0.0, f64::max);
+    if most == 0.0 {
+        return (table.clone(), 1.0);
+    }
+    // So far only, that the power and one over it are normal numbers.
+    let exponent = most.min(f64::MAX).log2().floor().clamp(-1000.0, 1000.0);
+    let size = exponent.exp2();
+    (table.map(|value| value.clamp(-f64::MAX, f64::MAX) / size), size)
+}
+
 /// CIE XYZ of a light; Y is the mean of its values, weighed by ȳ: its luminance, where a light of
 /// 1 at every wavelength has 1.
 pub fn xyz(light: &Table) -> [f64; 3] {
     let eye = eye();
-    std::array::from_fn(|i| integral(&[light, &eye.observer[i]]) / eye.width)
+    let (light, size) = of_size_one(light);
+    std::array::from_fn(|i| integral(&[&light, &eye.observer[i]]) / eye.width * size)
 }
 
 /// Illuminant D65, of luminance 1: the light that is one in each channel.
@@ -120,8 +135,9 @@ pub fn cut(reflectance: &Spectrum) -> f64 {
 /// included.
 pub(super) fn raw_reflected(table: &Table) -> [f64; 3] {
     let eye = eye();
-    let xyz = std::array::from_fn(|i| integral(&[table, &eye.white, &eye.observer[i]]));
-    (eye.to_rgb * (DVec3::from_array(xyz) / eye.width)).to_array()
+    let (table, size) = of_size_one(table);
+    let xyz = std::array::from_fn(|i| integral(&[&table, &eye.white, &eye.observer[i]]));
+    (eye.to_rgb * (DVec3::from_array(xyz) / eye.width)).to_array().map(|channel| channel * size)
 }
 
 /// Linear sRGB of a light, in its own unit. A number is white. A light that is more saturated than
@@ -132,7 +148,8 @@ pub fn emitted(light: &Spectrum) -> [f64; 3] {
         Spectrum::Rgb(components) => return *components,
         other => tabulated(other).expect("no colour"),
     };
-    within(DVec3::from_array(raw_emitted(&table)))
+    let (table, size) = of_size_one(&table);
+    within(DVec3::from_array(raw_emitted(&table))).map(|channel| channel * size)
 }
 
 /// Negative channels become zero, and the others less, so that the luminance stays.
@@ -146,7 +163,7 @@ fn within(rgb: DVec3) -> [f64; 3] {
     if before > 0.0 && after > 0.0 { cut.map(|channel| channel * before / after) } else { [0.0; 3] }
 }
 
-/// The same, negative channels included.
+/// The same as [`emitted`], negative channels included.
 pub(super) fn raw_emitted(table: &Table) -> [f64; 3] {
     (eye().to_rgb * DVec3::from_array(xyz(table))).to_array()
 }
@@ -162,8 +179,10 @@ pub fn lit(light: &Spectrum, reflectance: &Spectrum) -> Option<[f64; 3]> {
     };
     let reflectance = tabulated(reflectance)?;
     let eye = eye();
+    let ((light, power), (reflectance, size)) = (of_size_one(&light), of_size_one(&reflectance));
     let part = |i: usize| integral(&[&light, &reflectance, &eye.observer[i]]) / eye.width;
-    Some(within(eye.to_rgb * DVec3::from_array(std::array::from_fn(part))))
+    let lit = within(eye.to_rgb * DVec3::from_array(std::array::from_fn(part)));
+    Some(lit.map(|channel| channel * power * size))
 }
 
 #[cfg(test)]
@@ -275,6 +294,32 @@ mod tests {
             near(&raw_reflected(&table), &expected, 1e-3);
             // Gold is redder than sRGB; but it reflects no more than there is.
             assert!(reflected(&Spectrum::Table(table)).iter().all(|c| *c <= 1.0));
+        }
+    }
+
+    #[test]
+    fn colours_of_any_size_are_those_of_size_one() {
+        let of = |size: f64| {
+            let nodes = vec![(440.0, 0.2 * size), (520.0, size), (650.0, 0.1 * size)];
+            Spectrum::Table(Table::new(nodes).unwrap())
+        };
+        let plain = [emitted(&of(1.0)), reflected(&of(1.0))];
+        let both = lit(&of(1.0), &of(0.5)).unwrap();
+        for exponent in [-300, -200, -20, 20, 200, 300, 306, 307] {
+            let size = 10.0_f64.powi(exponent);
+            let found = [emitted(&of(size)), reflected(&of(size))];
+            for (found, plain) in found.into_iter().zip(plain) {
+                near(&found.map(|channel| channel / size), &plain, 1e-12);
+            }
+            let found = lit(&of(size), &of(0.5)).unwrap();
+            near(&found.map(|channel| channel / size), &both, 1e-12);
+        }
+        for size in [f64::MIN_POSITIVE, 5e-324, 1e308, f64::MAX, f64::INFINITY] {
+            let all =
+                [emitted(&of(size)), reflected(&of(size)), lit(&of(size), &of(size)).unwrap()];
+            assert!(all.as_flattened().iter().all(|channel| *channel >= 0.0), "{size}: {all:?}");
+            let most = all[0].into_iter().fold(0.0, f64::max);
+            assert!(size < 1.0 || most > 1e307, "{size}: {all:?}");
         }
     }
 

@@ -30,9 +30,10 @@ const CLOSE: f64 = 1e-10;
 /// reach twice the greatest channel.
 pub fn upsampled_reflectance(rgb: [f64; 3]) -> Table {
     let most = rgb.into_iter().fold(0.0, f64::max);
-    let scale = if most > 1.0 { 2.0 * most } else { 1.0 };
-    let bounded = if most == 0.0 { rgb } else { rgb.map(|channel| channel / scale) };
-    fitted(bounded).map(|value| value * scale)
+    if most <= 1.0 {
+        return fitted(rgb);
+    }
+    fitted(rgb.map(|channel| channel / most * 0.5)).map(|value| doubled(value * most))
 }
 
 /// A light of this colour: D65, as if filtered.
@@ -42,9 +43,13 @@ pub fn upsampled_light(rgb: [f64; 3]) -> Table {
         return grey(0.0);
     }
     // Half of what the filter may let through: it stays smooth.
-    let scale = 2.0 * most;
-    let filter = fitted(rgb.map(|channel| channel / scale));
-    filter.with(colour::white(), |value, white| scale * value * white)
+    let filter = fitted(rgb.map(|channel| channel / most * 0.5));
+    filter.with(colour::white(), |value, white| doubled(value * most * white))
+}
+
+/// Twice a value; no more than the largest number.
+fn doubled(value: f64) -> f64 {
+    (2.0 * value).min(f64::MAX)
 }
 
 fn grey(value: f64) -> Table {
@@ -173,6 +178,18 @@ mod tests {
             worst = worst.max(off(colour::raw_reflected(&table), rgb));
         }
         assert!(worst < 1e-9, "{worst}");
+    }
+
+    #[test]
+    fn spectra_of_huge_and_tiny_colours_are_numbers() {
+        for size in [5e-324, 1e-300, 1e300, 1e307, 1e308, f64::MAX] {
+            for rgb in [[size; 3], [size, size * 0.5, 0.0]] {
+                for table in [upsampled_reflectance(rgb), upsampled_light(rgb)] {
+                    let (low, high) = table.bounds();
+                    assert!(low >= 0.0 && high.is_finite(), "{rgb:?}: {low} to {high}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -29,7 +29,8 @@ pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>
     let mut refused: Vec<Span> = Vec::new();
     let mut largest = |channels: [f64; 3], span: Span, what: &str, name: &At<String>| {
         let most = channels.into_iter().fold(0.0, f64::max);
-        if most > MOST && !refused.contains(&span) {
+        let fits = channels.into_iter().all(|channel| channel <= MOST);
+        if !fits && !refused.contains(&span) {
             refused.push(span);
             found.push(errors::too_bright(name, span, what, MOST));
         }
