@@ -42,9 +42,10 @@ pub fn is_there(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok()
 }
 
-/// One name for each file, however it is reached; the path itself if there is no such file.
+/// One name for each file, however it is reached; the whole path if there is no such file.
 pub fn identity(path: &Path) -> PathBuf {
-    fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf())
+    let whole = || std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf());
+    fs::canonicalize(path).unwrap_or_else(|_| whole())
 }
 
 /// The names of the files beside `path`, for guessing which one was meant; at most a thousand.

@@ -1,8 +1,8 @@
 //! `data("file")`: a table of wavelengths and values from a text file.
 //!
 //! Rows of a wavelength, a value, and for a complex index a second value k, parted by commas,
-//! semicolons, tabs or blanks. Lines that begin with `#` are comments; the first row may name the
-//! columns. Whatever else a file holds is told with its line.
+//! semicolons, tabs or blanks. `#` begins a comment, which ends with its line; the first row may name
+//! the columns. Whatever else a file holds is told with its line.
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -84,7 +84,8 @@ impl<'l> DataFiles<'l> {
         match &file.text {
             Ok(_) => Some(file),
             Err(cause) => {
-                reports.tell(errors::unread(name, &file.path, cause, span));
+                let place = file.identity.to_string_lossy();
+                reports.tell(errors::unread(name, &place, cause, span));
                 None
             }
         }
@@ -159,10 +160,10 @@ fn parse(text: &str, unit: f64) -> Result<Columns, Fault> {
     for line in text.split_inclusive('\n') {
         let start = at;
         at += line.len();
-        let line = line.trim_end();
+        let line = line.split('#').next().unwrap_or(line).trim_end();
         let blank = line.len() - line.trim_start().len();
         let line = line.trim_start();
-        if line.is_empty() || line.starts_with('#') {
+        if line.is_empty() {
             continue;
         }
         let place = (start + blank, start + blank + line.len());
@@ -242,6 +243,7 @@ mod tests {
             "# nm\nwavelength, value\r\n400, 0.5\r\n\r\n500, 0.001",
             "400;0.5\n500;0.001",
             "  400\t0.5\n500\t0.001\n",
+            "wl,n # of 2020\n400,0.5 # measured, twice\n  # a gap\n500,1e-3# last\n",
             "400   0.5\n 500 +1e-3 \n",
             "\"400\",\"0.5\"\n\"500\",\".001\"\n",
         ] {
@@ -267,6 +269,7 @@ mod tests {
             ("-400,1", "has the wavelength `-400`", Some((0, 6))),
             ("0,1", "has the wavelength `0`", Some((0, 3))),
             ("400", "has a row of 1 columns", Some((0, 3))),
+            ("400 # 1", "has a row of 1 columns", Some((0, 3))),
             ("1,2,3,4", "has a row of 4 columns", Some((0, 7))),
             ("400,1\n500,1,2", "has a row of 3 columns, after rows of 2", Some((6, 13))),
             ("wl,n\nwl,k\n400,1", "has `wl` where a number belongs", Some((5, 9))),

@@ -368,7 +368,7 @@ impl Evaluator<'_> {
         let params = f.params.as_deref().unwrap_or_default();
         if params.len() != values.len() {
             let names: Vec<_> = params.iter().map(|p| &*p.text).collect();
-            self.reports.tell(types::arguments(&used.text, &names, values.len(), span));
+            self.reports.tell(types::arguments(&used.text, &[&names], values.len(), span));
             return Value::broken(span);
         }
         let inner = Env(Rc::new(Frame { names: RefCell::default(), outer: Some(env.clone()) }));

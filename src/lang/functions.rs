@@ -33,7 +33,7 @@ pub fn call(ev: &Evaluator, word: &Word, values: Vec<Value>, span: Span) -> Opti
         return Some(Value::broken(span));
     }
     if !params.iter().any(|params| params.len() == values.len()) {
-        ev.reports.tell(types::arguments(&word.text, params[0], values.len(), span));
+        ev.reports.tell(types::arguments(&word.text, params, values.len(), span));
         return Some(Value::broken(span));
     }
     let kind = match &*word.text {

@@ -90,14 +90,34 @@ pub fn no_real_index(nm: u32, found: f64, span: Span) -> Diagnostic {
         .help("check the signs and the units of its coefficients: catalogues count in micrometres")
 }
 
-/// A file that could not be read.
+/// A file that could not be read. `path` is the place it was looked for at, `cause` a clause that
+/// continues "the file …".
 pub fn unread(name: &str, path: &str, cause: &str, span: Span) -> Diagnostic {
-    Diagnostic::error(Code::FILE_UNREADABLE, format!("the file `{name}` {cause}"))
-        .label(span, "names it")
-        .why(format!(
-            "It was looked for at {path}: names are relative to the file that holds them."
-        ))
-        .help("correct the name, or put the file there")
+    let headline = match name.trim().is_empty() {
+        true => "`data` names no file".to_string(),
+        false => format!("the file `{name}` {cause}"),
+    };
+    let told = Diagnostic::error(Code::FILE_UNREADABLE, headline).label(span, "names it");
+    if name.trim().is_empty() {
+        return told.help("write the name of a file of rows, such as `data(\"paint.csv\")`");
+    }
+    let told = told.why(format!(
+        "It was looked for at {path}: names are relative to the file that holds them."
+    ));
+    told.help(match cause {
+        "does not exist" | "has a file where a folder should be in its path" => {
+            "correct the name, or put the file there"
+        }
+        "is a folder" => "name a file in that folder",
+        cause if cause.contains("not a file") => "save what it gives to a file, and name that file",
+        cause if cause.starts_with("is larger than") => {
+            "leave out rows: straight lines join those that stay"
+        }
+        cause if cause.starts_with("is not UTF-8") => {
+            "save the file as UTF-8 text: editors and spreadsheets offer it"
+        }
+        _ => "name a file that can be read",
+    })
 }
 
 /// More files than the limit.

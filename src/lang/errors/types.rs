@@ -385,14 +385,16 @@ pub fn not_a_function(used: &Word, defined: Span) -> Diagnostic {
 }
 
 /// Too many or too few arguments.
-pub fn arguments(function: &str, params: &[&str], found: usize, span: Span) -> Diagnostic {
-    let n = params.len();
-    let s = if n == 1 { "" } else { "s" };
-    let stand = stand(found);
-    let headline = format!("`{function}` takes {n} argument{s}, and here {stand}");
+pub fn arguments(function: &str, params: &[&[&str]], found: usize, span: Span) -> Diagnostic {
+    let counts: Vec<String> = params.iter().map(|params| params.len().to_string()).collect();
+    let s = if counts == ["1"] { "" } else { "s" };
+    let takes = format!("{} argument{s}", counts.join(" or "));
+    let calls: Vec<String> =
+        params.iter().map(|params| format!("`{function}({})`", params.join(", "))).collect();
+    let headline = format!("`{function}` takes {takes}, and here {}", stand(found));
     Diagnostic::error(Code::TYPE_ARGUMENTS, headline)
-        .label(span, format!("expected {n} argument{s}"))
-        .help(format!("write `{function}({})`", params.join(", ")))
+        .label(span, format!("expected {takes}"))
+        .help(format!("write {}", calls.join(" or ")))
 }
 
 /// "stands 1", "stand 2"
