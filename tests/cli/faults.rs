@@ -252,3 +252,76 @@ fn a_picture_never_replaces_what_the_scene_is_read_from() {
     assert_eq!(std::fs::read(bench.path("scene.exr")).unwrap(), scene.as_bytes());
     bench.run("render scene.exr --only mesh -o other.png").ends(0);
 }
+
+#[test]
+fn light_and_albedo_of_any_size_are_rendered_or_refused() {
+    let bench = Bench::new();
+    let scene = |albedo: &str, emission: &str, irradiance: &str, radiance: &str| {
+        format!(
+            "scn 1 in m\nfilm: {{ size: (4, 4) }}\nstop: {{ samples: 1 }}\nintegrator: direct\n\
+             camera: perspective {{ eye: (0, 0, 4), look_at: (0, 0, 0), fov_y: 40 deg }}\n\
+             material m: diffuse {{ albedo: {albedo}, emission: {emission} * 1 W/m^2/sr }}\n\
+             object ball: sphere {{ center: (0, 0, 0), radius: 1 m, material: m }}\n\
+             light sun: directional {{ direction: -z, irradiance: {irradiance} * 1 W/m^2 }}\n\
+             light sky: constant {{ radiance: {radiance} * 1 W/m^2/sr }}\n"
+        )
+    };
+    for (size, refused) in [
+        ("1e-300", false),
+        ("1e-30", false),
+        ("1", false),
+        ("1e36", false),
+        ("1e40", true),
+        ("1e306", true),
+        ("5e306", true),
+        ("1e308", true),
+    ] {
+        for spectrum in [
+            format!("spectrum {{ 500 nm: {size}, 600 nm: {size} }}"),
+            format!("upsample(rgb({size}, {size}, {size}))"),
+            format!("upsample(rgb({size}, 0, 0))"),
+        ] {
+            for field in 0..4 {
+                let mut said = ["0.5"; 4];
+                said[field] = &spectrum;
+                let [albedo, emission, irradiance, radiance] = said;
+                bench.put("size.scn", scene(albedo, emission, irradiance, radiance));
+                let run = bench.run("render size.scn");
+                let (first, second) = (&*run.stderr, said.join(" | "));
+                assert_eq!(first.contains("scene/too-bright"), refused, "{second}: {first}");
+                assert_eq!(first.matches("error[").count(), usize::from(refused), "{first}");
+                assert!(!first.contains("NaN") && !first.contains("finite"), "{second}: {first}");
+                run.ends(i32::from(refused));
+            }
+        }
+    }
+}
+
+#[test]
+fn data_that_cannot_be_read_comes_with_what_to_do() {
+    let bench = Bench::new();
+    bench.put("paint.csv", "nm, value\n400, 0.5 # measured, twice\n700, 0.6# and once\n");
+    bench.put("large.csv", vec![b' '; 8_000_001]);
+    bench.put("bytes.csv", b"# caf\xe9\n400, 0.5\n");
+    std::fs::create_dir(bench.path("folder")).unwrap();
+    let run = |data: &str| {
+        let albedo = format!("albedo: {data}");
+        bench.put("my.scn", crate::bench::BALL.replace("albedo: 0.8", &albedo));
+        bench.run("lint my.scn")
+    };
+    run("data(\"paint.csv\")").ends(0);
+    for (data, headline, help) in [
+        ("data(\"missing.csv\")", "`missing.csv` does not exist", "correct the name"),
+        ("data(\"large.csv\")", "`large.csv` is larger than 8 MB", "leave out rows"),
+        ("data(\"bytes.csv\")", "`bytes.csv` is not UTF-8 text", "save the file as UTF-8"),
+        ("data(\"folder\")", "`folder` is a folder", "name a file in that folder"),
+        ("data(\"\")", "`data` names no file", "such as `data(\"paint.csv\")`"),
+        ("data(\"x\", nm, 3)", "takes 1 or 2 arguments, and here stand 3", "`data(file, unit)`"),
+    ] {
+        let told = run(data).ends(1).stdout;
+        assert!(told.contains(headline) && told.contains(help), "{data}: {told}");
+    }
+    let told = run("data(\"missing.csv\")").stdout;
+    let place = bench.path("missing.csv");
+    assert!(told.contains(&format!("looked for at {}:", place.display())), "{told}");
+}
