@@ -8,7 +8,7 @@ vocabulary! {
     /// When the picture is done: the first limit that is reached ends the render. Without any it is
     /// done after 16 samples a pixel.
     pub struct Stop {
-        /// So many samples a pixel.
+        /// So many samples a pixel; 16 where neither `samples` nor `time` nor `error` is said.
         samples: Option<Count>, Range::between(1.0, 4_294_967_296.0);
         /// So much time of rendering.
         time: Option<Time>, Range::above(0.0);
