@@ -25,6 +25,8 @@ pub struct Staged<'a> {
     pub name: &'a At<String>,
     /// What it shows.
     pub stage: &'a Stage,
+    /// Whether the scene's limits end it, and not those of the command line in their place.
+    pub own_limits: bool,
     /// What was found wrong with it alone.
     pub faults: Vec<Diagnostic>,
 }
@@ -44,6 +46,7 @@ pub fn check(path: &Path, text: &str, sets: &[String], sources: &mut Sources) ->
     let staged = stages.iter().map(|(name, stage)| Staged {
         name,
         stage,
+        own_limits: true,
         faults: prepare::check(stage, &prepare::Settings::default()),
     });
     let part = !sets.is_empty();
@@ -65,10 +68,11 @@ pub fn judged(
     let faults = renders.iter().flat_map(|render| &render.faults);
     let whole = found.iter().chain(faults).all(|fault| fault.level < Level::Error);
     let draws = !renders.is_empty();
+    let as_stated = !part && renders.iter().all(|render| render.own_limits);
     if whole {
         let mut shots = Vec::new();
         for render in &mut renders {
-            let shot = Shot::new(render.name.clone(), render.stage);
+            let shot = Shot::new(render.name.clone(), render.stage, render.own_limits);
             render.faults.extend(lint::of_render(&shot));
             shots.push(shot);
         }
@@ -77,6 +81,6 @@ pub fn judged(
     }
     let by_name = renders.into_iter().map(|render| (render.name.value.clone(), render.faults));
     found.extend(whose::told(by_name.collect()));
-    let seen = Seen { whole: whole && !part, renders: draws };
+    let seen = Seen { whole: whole && as_stated, renders: draws };
     lint::allowed(found, outline, sources, seen)
 }

@@ -5,6 +5,11 @@ use super::words::{counted, duration};
 use crate::run::Rule;
 use crate::scene::Stop;
 
+/// Whether the command line gives limits.
+pub fn given(options: &Render) -> bool {
+    options.samples.is_some() || options.time.is_some() || options.error.is_some()
+}
+
 /// The limits of a render. If any is given on the command line, those of the scene do not count.
 pub fn limits(options: &Render, stop: &Stop) -> Rule {
     of(options.samples, options.time, options.error, stop)

@@ -162,6 +162,7 @@ impl<'a> Session<'a> {
         let staged = names.iter().zip(&ready).map(|((name, faults), ready)| check::Staged {
             name,
             stage: &ready.stage,
+            own_limits: !super::limits::given(self.options),
             faults: faults.clone(),
         });
         let found = check::judged(found, staged.collect(), outline, &self.sources, part);

@@ -69,13 +69,16 @@ impl<'a> Text<'a> {
 pub struct Shot<'a> {
     name: At<String>,
     stage: &'a Stage,
+    /// Whether the scene's own limits end the render, and not others in their place.
+    own_limits: bool,
     things: Vec<placed::Thing<'a>>,
 }
 
 impl<'a> Shot<'a> {
-    /// A render by its name and stage.
-    pub fn new(name: At<String>, stage: &'a Stage) -> Self {
-        Self { name, stage, things: placed::things(stage) }
+    /// A render by its name and stage. `own_limits`: whether the scene's limits end it, and not
+    /// others in their place.
+    pub fn new(name: At<String>, stage: &'a Stage, own_limits: bool) -> Self {
+        Self { name, stage, own_limits, things: placed::things(stage) }
     }
 
     /// Its name.

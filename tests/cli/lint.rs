@@ -115,3 +115,23 @@ fn every_rule_is_listed() {
     }
     assert_eq!(bench.run("list lints").well().stdout, list);
 }
+
+#[test]
+fn limits_of_the_command_line_leave_nothing_to_say_of_the_scenes() {
+    let bench = Bench::new();
+    let said =
+        "stop: { samples: 16, error: 1 % } // lint: allow(unreachable-error) because \"so\"\n";
+    for (sampler, stop, rule) in [
+        ("stratified { grid: 3 }", "stop: { samples: 16 }\n", "unfinished-round"),
+        ("independent", "stop: { samples: 16, error: 1 % }\n", "unreachable-error"),
+        ("independent", said, ""),
+    ] {
+        let scene = BALL.replace("stop: { samples: 4 }\n", stop);
+        bench.put("my.scn", scene.replace("stratified {}", sampler));
+        let told = bench.run("render my.scn --only right").ends(0).stderr;
+        assert_eq!(told.contains("warning["), !rule.is_empty(), "{told}");
+        assert!(told.contains(rule), "{told}");
+        let told = bench.run("render my.scn --only right --samples 9").ends(0).stderr;
+        assert!(!told.contains("warning["), "{told}");
+    }
+}

@@ -7,6 +7,9 @@ use crate::scene::Sampler;
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let scene = &shot.stage.scene;
     let Sampler::Stratified(sampler) = &scene.sampler.value else { return };
+    if !shot.own_limits {
+        return;
+    }
     let stop = &scene.stop;
     // Other limits end where they end.
     let (Some(samples), None, None) = (&stop.samples.value, &stop.time.value, &stop.error.value)

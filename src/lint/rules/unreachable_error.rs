@@ -9,6 +9,7 @@ const LEAST: u64 = 256;
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let stop = &shot.stage.scene.stop;
     if let (Some(samples), Some(_)) = (&stop.samples.value, &stop.error.value)
+        && shot.own_limits
         && samples.0 <= LEAST
     {
         found.push(unreachable(samples.0, stop.samples.span, stop.error.span));
