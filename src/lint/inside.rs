@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::placed::{Body, Bounds, Thing};
-use crate::math::{Mesh, Transform};
+use super::placed::{Body, Thing};
+use crate::math::{Bounds, Mesh, Transform};
 
 /// How a point lies to a closed surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@
 use glam::{DAffine3, DVec3};
 
 use crate::load::{Stage, StagedMesh};
-use crate::math::{Mesh, Transform};
+use crate::math::{Bounds, Mesh, Transform};
 use crate::scene::{self, At, Material, Named, Object};
 
 /// An object where it stands.
@@ -31,56 +31,6 @@ pub(super) enum Body<'a> {
     Disk { centre: DVec3, normal: DVec3, radius: f64 },
     /// A plane without end; `normal` has unit length.
     Plane { point: DVec3, normal: DVec3 },
-}
-
-/// A box; `min` is above `max` if it holds nothing.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Bounds {
-    pub min: DVec3,
-    pub max: DVec3,
-}
-
-impl Bounds {
-    /// Holds nothing.
-    pub const EMPTY: Self =
-        Self { min: DVec3::splat(f64::INFINITY), max: DVec3::splat(f64::NEG_INFINITY) };
-
-    pub fn around(points: impl IntoIterator<Item = DVec3>) -> Self {
-        let add = |b: Self, p: DVec3| Self { min: b.min.min(p), max: b.max.max(p) };
-        points.into_iter().fold(Self::EMPTY, add)
-    }
-
-    pub fn union(self, other: Self) -> Self {
-        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
-    }
-
-    pub fn is_empty(&self) -> bool {
-        self.min.cmpgt(self.max).any()
-    }
-
-    /// Its diagonal; 0 for an empty one.
-    pub fn size(&self) -> f64 {
-        if self.is_empty() { 0.0 } else { (self.max - self.min).length() }
-    }
-
-    pub fn centre(&self) -> DVec3 {
-        0.5 * self.min + 0.5 * self.max
-    }
-
-    pub fn holds(&self, p: DVec3) -> bool {
-        p.cmpge(self.min).all() && p.cmple(self.max).all()
-    }
-
-    pub fn corners(&self) -> [DVec3; 8] {
-        std::array::from_fn(|i| {
-            let pick = |bit: usize, low: f64, high: f64| if i & bit == 0 { low } else { high };
-            DVec3::new(
-                pick(1, self.min.x, self.max.x),
-                pick(2, self.min.y, self.max.y),
-                pick(4, self.min.z, self.max.z),
-            )
-        })
-    }
 }
 
 /// The objects of a stage that can be placed.

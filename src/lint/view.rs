@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use super::Shot;
-use super::placed::Bounds;
 use crate::diag::Span;
+use crate::math::Bounds;
 use crate::scene::Camera;
 
 /// A perspective camera in metres; directions have unit length. The camera `overview` sees its

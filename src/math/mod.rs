@@ -2,6 +2,7 @@
 //!
 //! Names nothing else of ours. f64 wherever a scene is described, f32 where it is rendered.
 
+mod bounds;
 #[cfg(test)]
 pub(crate) mod chi_squared;
 mod mean;
@@ -16,6 +17,7 @@ mod transform;
 pub mod units;
 pub mod warp;
 
+pub use bounds::Bounds;
 pub use mean::MeanPixel;
 pub use mesh::Mesh;
 pub use picture::Picture;

@@ -4,7 +4,6 @@
 //! map to world space (space), shapes go there in f32 (shapes), and camera, lights, materials and
 //! film become what render knows. Faults are collected all the way.
 
-mod bounds;
 mod camera;
 mod errors;
 mod film;

@@ -2,11 +2,10 @@
 
 use glam::{DAffine3, DVec3};
 
-use super::bounds::Bounds;
 use super::errors::scene as errors;
 use crate::diag::{Diagnostic, Span};
 use crate::load::{Stage, StagedMesh};
-use crate::math::{Mesh, Transform};
+use crate::math::{Bounds, Mesh, Transform};
 use crate::scene::{self, At, Material, Named, Object};
 
 /// An object where it stands.

@@ -6,8 +6,8 @@
 
 use glam::DVec3;
 
-use super::bounds::Bounds;
 use super::objects::{Body, Placed};
+use crate::math::Bounds;
 use crate::scene;
 
 /// The map from metres to world units.

@@ -29,16 +29,10 @@ impl Judgement {
 /// None as long as nothing is known of the error of some tile.
 pub(super) fn judge(window: &Window, light_unit: f64, taken: &Taken) -> Option<Judgement> {
     let means = || taken.means(window, light_unit);
-    let luminance = |pixel: &MeanPixel| {
-        let [r, g, b] = pixel.mean;
-        0.2126 * r + 0.7152 * g + 0.0722 * b
-    };
     if means().any(|tile| tile.freedom == 0) {
         return None;
     }
-    let luminances: Vec<f64> =
-        means().flat_map(|tile| tile.pixels.iter().map(luminance).collect::<Vec<_>>()).collect();
-    let epsilon = noise::epsilon(luminances.into_iter());
+    let epsilon = epsilon(means().flat_map(|tile| tile.pixels));
     let mut bound = false;
     let share = |tile: crate::render::film::TileMeans| {
         bound |= tile.bound;
@@ -46,4 +40,10 @@ pub(super) fn judge(window: &Window, light_unit: f64, taken: &Taken) -> Option<J
     };
     let shares = means().map(share).collect();
     Some(Judgement { epsilon, shares, bound })
+}
+
+/// ε of a picture with these pixels.
+pub(super) fn epsilon(pixels: impl Iterator<Item = MeanPixel>) -> f64 {
+    let luminance = |[r, g, b]: [f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
+    noise::epsilon(pixels.map(|pixel| luminance(pixel.mean)))
 }

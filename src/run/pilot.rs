@@ -3,8 +3,9 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use crate::math::random;
-use crate::measure::noise::{self, Noise, Share};
+use super::judge::epsilon;
+use crate::math::{MeanPixel, random};
+use crate::measure::noise::{Noise, Share};
 use crate::render::World;
 use crate::render::film::{Taken, TileMeans};
 use crate::render::integrators::Integrator;
@@ -111,7 +112,7 @@ fn parts(
         return (looked, Vec::new());
     }
     let means: Vec<TileMeans> = taken.means(&world.film.window, world.light_unit).collect();
-    let epsilon = epsilon(means.iter());
+    let epsilon = epsilon(pixels(means.iter()));
     let noise = |tile: &usize| {
         let means = &means[*tile];
         Share::of(&means.pixels, means.freedom.max(1), means.bound, epsilon).noise(epsilon).relmse
@@ -160,7 +161,7 @@ fn noise_of(
     if means.iter().any(|(_, tile)| tile.freedom == 0) {
         return (None, false);
     }
-    let epsilon = epsilon(means.iter().map(|(_, tile)| tile));
+    let epsilon = epsilon(pixels(means.iter().map(|(_, tile)| tile)));
     let share = |(index, tile): &(usize, TileMeans)| {
         Share::of(&tile.pixels, tile.freedom, tile.bound, epsilon).times(weight(*index))
     };
@@ -168,9 +169,8 @@ fn noise_of(
     (Some(all.noise(epsilon)), means.iter().any(|(_, tile)| tile.bound))
 }
 
-fn epsilon<'a>(means: impl Iterator<Item = &'a TileMeans>) -> f64 {
-    let luminance = |[r, g, b]: [f64; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
-    noise::epsilon(means.flat_map(|tile| &tile.pixels).map(|pixel| luminance(pixel.mean)))
+fn pixels<'a>(means: impl Iterator<Item = &'a TileMeans>) -> impl Iterator<Item = MeanPixel> {
+    means.flat_map(|tile| tile.pixels.iter().copied())
 }
 
 #[cfg(test)]

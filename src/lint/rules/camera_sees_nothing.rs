@@ -16,7 +16,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     }
     let boxes: Vec<_> = shot.things.iter().map(|thing| thing.bounds()).collect();
     let missed = |side: DVec3| {
-        move |bounds: &crate::lint::placed::Bounds| {
+        move |bounds: &crate::math::Bounds| {
             bounds.corners().iter().all(|corner| (*corner - view.eye).dot(side) < 0.0)
         }
     };

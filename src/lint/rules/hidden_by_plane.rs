@@ -4,8 +4,9 @@ use glam::DVec3;
 
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
-use crate::lint::placed::{Body, Bounds, Thing};
+use crate::lint::placed::{Body, Thing};
 use crate::lint::view::eye;
+use crate::math::Bounds;
 
 /// Parts of an object's size by which it may rise from the plane and still be told: rounding.
 const ROUNDING: f64 = 1e-9;

@@ -3,7 +3,8 @@
 
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
-use crate::lint::placed::{Bounds, Thing};
+use crate::lint::placed::Thing;
+use crate::math::Bounds;
 use crate::scene::Object;
 
 /// The factor between neighbouring units of length, and between a slip and a choice.

@@ -2,10 +2,12 @@
 
 use glam::DVec3;
 
-/// An axis-aligned box in metres.
+/// An axis-aligned box.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Bounds {
+pub struct Bounds {
+    /// Its least corner; above `max` if there is nothing inside.
     pub min: DVec3,
+    /// Its greatest corner.
     pub max: DVec3,
 }
 
@@ -39,5 +41,27 @@ impl Bounds {
     /// From the middle to the sides.
     pub fn half(&self) -> DVec3 {
         0.5 * self.max - 0.5 * self.min
+    }
+
+    /// Its diagonal; 0 for an empty one.
+    pub fn size(&self) -> f64 {
+        if self.is_empty() { 0.0 } else { (self.max - self.min).length() }
+    }
+
+    /// Whether a point lies inside or on it.
+    pub fn holds(&self, p: DVec3) -> bool {
+        p.cmpge(self.min).all() && p.cmple(self.max).all()
+    }
+
+    /// Its eight corners.
+    pub fn corners(&self) -> [DVec3; 8] {
+        std::array::from_fn(|i| {
+            let pick = |bit: usize, low: f64, high: f64| if i & bit == 0 { low } else { high };
+            DVec3::new(
+                pick(1, self.min.x, self.max.x),
+                pick(2, self.min.y, self.max.y),
+                pick(4, self.min.z, self.max.z),
+            )
+        })
     }
 }
