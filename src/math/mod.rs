@@ -7,6 +7,7 @@ mod bounds;
 pub(crate) mod chi_squared;
 mod mean;
 mod mesh;
+pub mod paths;
 mod picture;
 mod progress;
 pub mod random;
