@@ -3,10 +3,11 @@
 //!
 //! Tables of wavelengths stand as text in `figures/`, as their sources print them, and are read at
 //! first use; short ones stand in the code. Wavelengths are in nanometres and rise from row to
-//! row. Keys such as [CIE06] lead to docs/references.bib. Coefficients of skies, and of milk and
-//! the sea by their contents, come with the worksheets that need them.
+//! row. Keys such as [CIE06] lead to docs/references.bib. Coefficients of milk and the
+//! sea by their contents come with the worksheets that need them.
 
 pub mod cie;
+pub mod daylight;
 mod glasses;
 mod liquids;
 mod metals;
@@ -62,6 +63,8 @@ mod tests {
         is_table(cie::observer(), 81, [380.0, 780.0], [0.0, 1.79]);
         is_table(cie::illuminant_a(), 81, [380.0, 780.0], [9.0, 250.0]);
         is_table(cie::illuminant_d65(), 81, [380.0, 780.0], [45.0, 120.0]);
+        is_table(daylight::preetham_sun(), 41, [380.0, 780.0], [0.0, 30_664.0]);
+        is_table(daylight::bird_riordan(), 122, [300.0, 4000.0], [0.0, 22_000.0]);
         is_table(paints::cornell_box(), 76, [400.0, 700.0], [0.04, 0.777]);
         is_table(water::absorption(), 140, [380.0, 727.5], [0.00442, 1.678]);
         is_table(metals::gold(), 18, [342.5, 821.1], [0.13, 5.083]);
@@ -88,6 +91,11 @@ mod tests {
         assert_eq!(at(cie::illuminant_d65(), 560.0), 100.0);
         assert_eq!(at(cie::illuminant_a(), 780.0), 241.675);
         assert_eq!(at(water::absorption(), 417.5), 0.00442);
+        let at = |rows: &[[f64; 5]], nm| *rows.iter().find(|row| row[0] == nm).unwrap();
+        // Water vapour begins at 690 nm: a table that is often copied repeats ozone there.
+        let dusk = at(daylight::preetham_sun(), 690.0);
+        assert_eq!(dusk, [690.0, 20_728.3, 0.028, 0.016, 0.0]);
+        assert_eq!(at(daylight::bird_riordan(), 550.0)[1..], [1.892, 0.0, 0.085, 0.0]);
         assert_eq!(paints::cornell_box()[0], [400.0, 0.343, 0.092, 0.040]);
     }
 }

@@ -17,6 +17,9 @@ use super::tabulated;
 use crate::data::cie;
 use crate::math::spectrum::{Spectrum, Table, union};
 
+/// Lumens of light of a watt, as scenes count watts: by what is seen of them.
+pub const LUMENS_A_WATT: f64 = 683.0;
+
 /// The observer and the white of a picture.
 struct Eye {
     /// x̄, ȳ, z̄.
@@ -152,6 +155,13 @@ pub fn emitted(light: &Spectrum) -> [f64; 3] {
     within(DVec3::from_array(raw_emitted(&table))).map(|channel| channel * size)
 }
 
+/// Linear sRGB of a light of a luminance and of chromaticities x and y > 0, in the luminance's unit.
+/// A light more saturated than sRGB keeps its luminance, as [`emitted`] has it.
+pub fn of_chromaticity(luminance: f64, x: f64, y: f64) -> [f64; 3] {
+    let xyz = DVec3::new(x / y, 1.0, (1.0 - x - y) / y) * luminance;
+    within(eye().to_rgb * xyz)
+}
+
 /// Negative channels become zero, and the others less, so that the luminance stays.
 fn within(rgb: DVec3) -> [f64; 3] {
     let rgb = rgb.to_array();
@@ -247,6 +257,17 @@ mod tests {
             5e-4,
         );
         assert!((eye_width() - 106.8566).abs() < 1e-4, "{}", eye_width());
+    }
+
+    #[test]
+    fn chromaticities_come_back_as_the_colour_they_were_of() {
+        let d65 = light("d65").map(|power| power / 99.0);
+        let [x, y] = chromaticity(&d65);
+        let [_, luminance, _] = xyz(&d65);
+        near(&of_chromaticity(luminance, x, y), &emitted(&Spectrum::Table(d65)), 1e-12);
+        // Beyond sRGB: of its luminance all the same.
+        let blue = of_chromaticity(5.0, 0.1, 0.1);
+        assert!(blue[0] == 0.0 && (super::luminance(blue) - 5.0).abs() < 1e-12, "{blue:?}");
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! Pure physics in f64: what spectra are worth, and what an eye makes of them.
 //!
-//! Wavelengths are in nanometres. Fresnel's equations, scattering by spheres and the daylight sky
-//! come with the worksheets that need them.
+//! Wavelengths are in nanometres. Fresnel's equations and scattering by spheres come with the
+//! worksheets that need them.
 
 pub mod blackbody;
 pub mod colour;
+pub mod daylight;
 pub mod dispersion;
 mod upsampling;
 pub mod water;

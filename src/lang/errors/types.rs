@@ -6,10 +6,8 @@ use crate::lang::ast::Word;
 use crate::lang::limits;
 use crate::lang::value::digits;
 use crate::math::units::{Dimension, UNITS};
+use crate::optics::colour::LUMENS_A_WATT;
 use crate::scene::schema::{Bound, Range};
-
-/// Lumens of light of a watt, as scenes count watts: by what is seen of them.
-const LUMENS_A_WATT: f64 = 683.0;
 
 /// The likeliest units of a dimension, as written after a number.
 fn units_of(dimension: Dimension) -> Vec<String> {
