@@ -3,10 +3,11 @@
 //! reconstruction, `bun_zipper`: metres, y up, the face towards -x.
 
 use std::collections::HashMap;
-use std::fmt::Write;
 
 use glam::DVec3;
 
+use crate::mesh::Mesh;
+use crate::obj;
 use crate::ply::Surface;
 
 /// Metres for a unit of the scan; found, with `OFFSET`, by fitting 45 vertices of `bun_zipper`
@@ -15,8 +16,7 @@ const SCALE: f64 = 3.1183e-3;
 /// Where the scan's origin lies, in metres.
 const OFFSET: DVec3 = DVec3::new(-0.016765, 0.032865, -0.001582);
 /// Digits after the point: micrometres, and normals to 0.003 degrees.
-const POSITION_DIGITS: usize = 6;
-const NORMAL_DIGITS: usize = 4;
+const DIGITS: [usize; 2] = [6, 4];
 
 const WHITE: &str = "\
 # The course's white bunny.
@@ -40,25 +40,17 @@ illum 0
 pub fn files(scan: &Surface) -> Vec<(&'static str, String)> {
     let positions: Vec<DVec3> = scan.positions.iter().map(|&p| placed(p.into())).collect();
     let triangles = without_flaps(&scan.triangles);
-    let normals = smooth_normals(&positions, &triangles);
-
-    let mut text = String::from(
-        "# The Stanford bunny, from the Stanford 3D Scanning Repository; metres.\n\
-         mtllib bunny.mtl\n",
-    );
-    for (letters, vectors, digits) in
-        [("v", &positions, POSITION_DIGITS), ("vn", &normals, NORMAL_DIGITS)]
-    {
-        for v in vectors {
-            let [x, y, z] = v.to_array().map(|value| rounded(value, digits));
-            let _ = writeln!(text, "{letters} {x} {y} {z}");
-        }
+    let everything = [("white", (0..triangles.len()).collect())];
+    let mesh = Mesh { positions, triangles };
+    let text = obj::Smooth {
+        comment: "The Stanford bunny, from the Stanford 3D Scanning Repository; metres.",
+        library: Some("bunny.mtl"),
+        mesh: &mesh,
+        normals: &mesh.smooth_normals(),
+        digits: DIGITS,
+        groups: &everything,
     }
-    text += "usemtl white\n";
-    for triangle in &triangles {
-        let [a, b, c] = triangle.map(|corner| corner + 1);
-        let _ = writeln!(text, "f {a}//{a} {b}//{b} {c}//{c}");
-    }
+    .text();
     vec![
         ("bunny.obj", text),
         ("bunny.mtl", WHITE.to_string()),
@@ -81,28 +73,4 @@ fn without_flaps(triangles: &[[usize; 3]]) -> Vec<[usize; 3]> {
     }
     let part_of_it = |triangle: &[usize; 3]| edges(*triangle).iter().any(|edge| joined[edge] == 2);
     triangles.iter().copied().filter(part_of_it).collect()
-}
-
-/// The mean of the faces' normals around each vertex, weighed by their angles there.
-fn smooth_normals(positions: &[DVec3], triangles: &[[usize; 3]]) -> Vec<DVec3> {
-    let mut sums = vec![DVec3::ZERO; positions.len()];
-    for &triangle in triangles {
-        let [a, b, c] = triangle.map(|corner| positions[corner]);
-        let normal = (b - a).cross(c - a).normalize();
-        for (corner, [before, here, after]) in
-            triangle.into_iter().zip([[c, a, b], [a, b, c], [b, c, a]])
-        {
-            sums[corner] += normal * (before - here).angle_between(after - here);
-        }
-    }
-    sums.into_iter().map(DVec3::normalize).collect()
-}
-
-/// A number with so many digits after the point, without a minus before zero.
-fn rounded(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.bytes().all(|b| matches!(b, b'0' | b'.')) => rest.to_string(),
-        _ => text,
-    }
 }

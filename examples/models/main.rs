@@ -1,14 +1,22 @@
-//! Makes the files of models/: the Cornell box from the published measurements, and the bunny
-//! from the scan.
+//! Makes the files of models/: the Cornell box from the published measurements, an elephant, a
+//! ball and a board of wood from nothing, and the bunny from the scan.
 //!
 //! `cargo run --release --example models -- models [StanfordBunny.ply]`
 //!
-//! Without a scan only the Cornell files are written.
+//! Without a scan all but the bunny is written.
 
 mod bunny;
 mod cornell;
+mod elephant;
+mod field;
+mod mesh;
+mod nets;
 mod obj;
 mod ply;
+mod sculpt;
+mod simplify;
+mod sphere;
+mod wood;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -16,10 +24,10 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let result = match arguments.as_slice() {
-        [folder] => write(folder, &cornell::files()),
+        [folder] => write_own(folder),
         [folder, scan] => bunny_files(scan).and_then(|bunny| {
-            write(folder, &cornell::files())?;
-            write(folder, &bunny)
+            write_own(folder)?;
+            bunny.iter().try_for_each(|(name, text)| write(&folder.join(name), text.as_bytes()))
         }),
         _ => Err("usage: cargo run --release --example models -- FOLDER [BUNNY.ply]".into()),
     };
@@ -32,6 +40,15 @@ fn main() -> ExitCode {
     }
 }
 
+/// Writes those that need no scan.
+fn write_own(folder: &Path) -> Result<(), String> {
+    for (name, text) in [cornell::files(), elephant::files(), sphere::files()].concat() {
+        write(&folder.join(name), text.as_bytes())?;
+    }
+    let wood = wood::png().map_err(|error| error.to_string())?;
+    write(&folder.join("wood.png"), &wood)
+}
+
 fn bunny_files(scan: &Path) -> Result<Vec<(&'static str, String)>, String> {
     let in_file = |error: String| format!("{}: {error}", scan.display());
     let bytes = std::fs::read(scan).map_err(|error| in_file(error.to_string()))?;
@@ -39,12 +56,9 @@ fn bunny_files(scan: &Path) -> Result<Vec<(&'static str, String)>, String> {
     Ok(bunny::files(&surface))
 }
 
-/// Writes files by name into a folder, and tells which.
-fn write(folder: &Path, files: &[(&str, String)]) -> Result<(), String> {
-    for (name, text) in files {
-        let path = folder.join(name);
-        std::fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))?;
-        println!("{} ({} bytes)", path.display(), text.len());
-    }
+/// Writes a file, and tells which.
+fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
+    std::fs::write(path, bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+    println!("{} ({} bytes)", path.display(), bytes.len());
     Ok(())
 }

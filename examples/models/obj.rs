@@ -2,6 +2,10 @@
 
 use std::fmt::Write;
 
+use glam::DVec3;
+
+use crate::mesh::Mesh;
+
 /// A group of an .obj file: its name, its material, its polygons corner by corner.
 pub struct Group {
     /// After `g`.
@@ -39,4 +43,56 @@ pub fn text(comment: &str, library: &str, groups: &[Group]) -> String {
         written += vertices.len();
     }
     text
+}
+
+/// A surface to be written with its normals.
+pub struct Smooth<'a> {
+    /// The first line, without its `#`.
+    pub comment: &'a str,
+    /// The .mtl file, if it has materials.
+    pub library: Option<&'a str>,
+    /// The surface.
+    pub mesh: &'a Mesh,
+    /// The normal at each vertex.
+    pub normals: &'a [DVec3],
+    /// Digits after the point of positions and of normals.
+    pub digits: [usize; 2],
+    /// The names of materials, and which triangles have them.
+    pub groups: &'a [(&'a str, Vec<usize>)],
+}
+
+impl Smooth<'_> {
+    /// The text of the .obj file.
+    pub fn text(&self) -> String {
+        let mut text = format!("# {}\n", self.comment);
+        if let Some(library) = self.library {
+            let _ = writeln!(text, "mtllib {library}");
+        }
+        let [positions, normals] = [&self.mesh.positions[..], self.normals];
+        for ((letters, vectors), digits) in
+            [("v", positions), ("vn", normals)].into_iter().zip(self.digits)
+        {
+            for v in vectors {
+                let [x, y, z] = v.to_array().map(|value| rounded(value, digits));
+                let _ = writeln!(text, "{letters} {x} {y} {z}");
+            }
+        }
+        for (material, triangles) in self.groups {
+            let _ = writeln!(text, "usemtl {material}");
+            for &triangle in triangles {
+                let [a, b, c] = self.mesh.triangles[triangle].map(|corner| corner + 1);
+                let _ = writeln!(text, "f {a}//{a} {b}//{b} {c}//{c}");
+            }
+        }
+        text
+    }
+}
+
+/// A number with so many digits after the point, without a minus before zero.
+fn rounded(value: f64, digits: usize) -> String {
+    let text = format!("{value:.digits$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|b| matches!(b, b'0' | b'.')) => rest.to_string(),
+        _ => text,
+    }
 }
