@@ -83,13 +83,14 @@ fn the_depth_is_bounded_by_the_largest_albedo_in_use() {
 /// What the biases of a scene are measured to cost.
 fn measured(hand: &Hand) -> Vec<(Kind, Difference)> {
     let stage = hand.stage();
-    let Prepared { mut world, integrator, .. } = hand.prepared();
-    let one = |bias: &scn::plan::Bias| {
-        let instead = prepare::other_integrator(&stage, bias.instead.as_ref()?);
-        let found = run::difference(&mut world, &integrator, &instead, 1 << 20, &Patient);
+    let mut prepared = hand.prepared();
+    let mut one = |bias: &scn::plan::Bias| {
+        let instead = prepare::other_integrator(&stage, &prepared, bias.instead.as_ref()?);
+        let Prepared { world, integrator, .. } = &mut prepared;
+        let found = run::difference(world, integrator, &instead, 1 << 20, &Patient);
         Some((bias.kind, found.unwrap()))
     };
-    biases(&stage).iter().filter_map(one).collect()
+    biases(&stage).iter().filter_map(&mut one).collect()
 }
 
 /// Mean luminance of the scene's picture.
@@ -122,7 +123,8 @@ fn the_world_is_as_before_after_measuring() {
     let before = hand.picture();
     let stage = hand.stage();
     let mut prepared = hand.prepared();
-    let instead = prepare::other_integrator(&stage, biases(&stage)[2].instead.as_ref().unwrap());
+    let instead = biases(&stage)[2].instead.clone().unwrap();
+    let instead = prepare::other_integrator(&stage, &prepared, &instead);
     let Prepared { world, integrator, .. } = &mut prepared;
     assert!(run::difference(world, integrator, &instead, 0, &Patient).is_some());
     // Cancelled, it tells nothing.

@@ -11,7 +11,7 @@ use scn::load::{Loader, Stage};
 use scn::math::{NoProgress, Spectrum};
 use scn::optics::colour::{emitted, reflected};
 use scn::scene::{
-    Ambient, At, BoxFilter, Camera, Count, Diffuse, Direction, Exposure, FileName, Film, Filter,
+    KaMeans, At, BoxFilter, Camera, Count, Diffuse, Direction, Exposure, FileName, Film, Filter,
     Independent, Integrator, Length, Material, Mesh, Named, Number, Object, Overview, Place,
     Preview, Radiance, Ref, Reflectance, Sampler, Scene, Size, Stop, Text,
 };
@@ -288,9 +288,9 @@ fn a_ka_must_be_explained() {
         "the scene must say what Ka means in the material `white` of `a.obj`"
     );
     assert_eq!(found[0].mends.len(), 2);
-    mesh.ambient = at(Some(Ambient::Emission));
+    mesh.ambient = at(Some(KaMeans::Emission));
     assert_eq!(paints(&stage(mesh.clone()).0.unwrap()), [([0.5; 3], [4.0, 5.0, 6.0])]);
-    mesh.ambient = at(Some(Ambient::Ignored));
+    mesh.ambient = at(Some(KaMeans::Ignored));
     assert_eq!(paints(&stage(mesh.clone()).0.unwrap()), [([0.5; 3], [0.0; 3])]);
     mesh.ambient = at(None);
     mesh.material = at(Some(Ref::new("grey")));

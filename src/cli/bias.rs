@@ -69,7 +69,7 @@ pub fn measured(
         let (name, line) = place(sources, bias.at);
         (told.file, told.line) = (Some(name), Some(line));
         if let Some(instead) = &bias.instead {
-            let instead = prepare::other_integrator(stage, instead);
+            let instead = prepare::other_integrator(stage, prepared, instead);
             let Prepared { world, integrator, .. } = &mut *prepared;
             let found = run::difference(world, integrator, &instead, samples, watch);
             told.difference = found.map(|found| found.relative);

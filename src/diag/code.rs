@@ -171,6 +171,7 @@ codes! {
     SCENE_CAMERA_TOO_FAR = "scene/camera-too-far";
     SCENE_CLOSED_LAMP = "scene/closed-lamp";
     SCENE_ENDLESS_LAMP = "scene/endless-lamp";
+    SCENE_ENDLESS_PATHS = "scene/endless-paths";
     SCENE_LOST_TRIANGLES = "scene/lost-triangles";
     SCENE_NO_AREA = "scene/no-area";
     SCENE_NOTHING_SHINES = "scene/nothing-shines";

@@ -128,6 +128,11 @@ impl Body<'_> {
 }
 
 impl Thing<'_> {
+    /// Whether light goes through some part of it.
+    pub fn transmits(&self) -> bool {
+        self.materials.iter().any(|material| material.value.transmits())
+    }
+
     /// Its name.
     pub fn name(&self) -> &At<String> {
         &self.object.name
@@ -172,6 +177,5 @@ impl Thing<'_> {
 
 /// Whether a material shines of itself.
 pub(super) fn shines(material: &Named<Material>) -> bool {
-    let Material::Diffuse(diffuse) = &material.value.value;
-    !diffuse.emission.0.is_zero()
+    material.value.shines()
 }

@@ -7,7 +7,7 @@ use super::errors::mtl as errors;
 use crate::diag::{Diagnostic, FileId, Span};
 use crate::files::mtl::{self, Said};
 use crate::math::Spectrum;
-use crate::scene::{self, Ambient, At, Diffuse, Named, Radiance, Reflectance};
+use crate::scene::{self, KaMeans, At, Diffuse, Named, Radiance, Reflectance, Sides};
 
 /// The source a material's places are in.
 #[derive(Clone, Copy)]
@@ -24,7 +24,7 @@ pub(super) fn shines_unclearly(said: &mtl::Material) -> bool {
 pub(super) fn scene_material(
     said: &mtl::Material,
     at: Place,
-    ambient: Option<Ambient>,
+    ambient: Option<KaMeans>,
 ) -> Named<scene::Material> {
     let whole = at.span(&said.name);
     let black = || At::new([0.0; 3], whole);
@@ -33,7 +33,7 @@ pub(super) fn scene_material(
     };
     let albedo = colour(&said.diffuse);
     let mut emission = colour(&said.emissive);
-    if ambient == Some(Ambient::Emission) && shines_unclearly(said) {
+    if ambient == Some(KaMeans::Emission) && shines_unclearly(said) {
         let ka = colour(&said.ambient);
         emission = if emission.value == [0.0; 3] {
             ka
@@ -44,6 +44,7 @@ pub(super) fn scene_material(
     let diffuse = Diffuse {
         albedo: albedo.map(|rgb| Reflectance(Spectrum::Rgb(rgb))),
         emission: emission.map(|rgb| Radiance(Spectrum::Rgb(rgb))),
+        emits: At::new(Sides::Front, whole),
     };
     Named {
         name: At::new(said.name.value.clone(), whole),

@@ -46,6 +46,16 @@ impl Rgb {
         0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
     }
 
+    /// The mean of the three.
+    pub fn mean(self) -> f32 {
+        (self.r + self.g + self.b) / 3.0
+    }
+
+    /// The largest of the three.
+    pub fn largest(self) -> f32 {
+        self.r.max(self.g).max(self.b)
+    }
+
     /// Red, green, blue.
     pub fn to_array(self) -> [f32; 3] {
         [self.r, self.g, self.b]

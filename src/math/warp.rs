@@ -30,6 +30,18 @@ pub fn square_to_sphere(u: Vec2) -> Vec3 {
     Vec3::new(r * cos, r * sin, z)
 }
 
+/// The hemisphere about +z, with a density of cos θ/π.
+pub fn square_to_cosine(u: Vec2) -> Vec3 {
+    let p = square_to_disk(u);
+    p.extend((1.0 - p.length_squared()).max(0.0).sqrt())
+}
+
+/// A direction of the frame about +z as one of a frame about `axis`, of unit length [Duff17].
+pub fn about(axis: Vec3, local: Vec3) -> Vec3 {
+    let (x, y) = axis.any_orthonormal_pair();
+    local.x * x + local.y * y + local.z * axis
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -28,6 +28,16 @@ pub fn value(formula: &Formula, nm: f64) -> f64 {
     }
 }
 
+/// What a spectrum is worth at a wavelength in nm; of three channels, their mean.
+pub fn at(spectrum: &Spectrum, nm: f64) -> f64 {
+    match spectrum {
+        Spectrum::Constant(value) => *value,
+        Spectrum::Rgb([r, g, b]) => (r + g + b) / 3.0,
+        Spectrum::Table(table) => table.at(nm),
+        Spectrum::Formula { formula, scale } => scale * value(formula, nm),
+    }
+}
+
 /// A spectrum as a table; None for a colour, which says nothing of wavelengths. Formulas are
 /// tabulated every nanometre over [`VISIBLE`]: lines between are within 2e-4 of a black body of
 /// 2000 K or more, and within 2e-6 of the index of any glass.

@@ -13,10 +13,18 @@ use crate::scene::{self, AreaLights, At, Integrator, Switch};
 pub enum Kind {
     /// No light is followed.
     Preview,
-    /// Light that met more than one surface is missing.
+    /// Light that was scattered more often than is followed is missing.
     Depth,
+    /// Light that was mirrored more often than is followed is missing.
+    SpecularDepth,
     /// A light that is not followed to surfaces.
     ConstantLight,
+    /// Lamps and lights do not shine on surfaces.
+    LightsOff,
+    /// Lights without extent are left to chance, which never meets them.
+    NeverMet,
+    /// Surfaces far away hide nothing of what surrounds the scene.
+    AmbientDistance,
     /// Surfaces hide no light.
     NoShadows,
     /// Lamps shine from their centres.
@@ -31,7 +39,11 @@ impl Kind {
         match self {
             Self::Preview => "preview",
             Self::Depth => "depth",
+            Self::SpecularDepth => "specular_depth",
             Self::ConstantLight => "constant_light",
+            Self::LightsOff => "lights_off",
+            Self::NeverMet => "never_met",
+            Self::AmbientDistance => "ambient_distance",
             Self::NoShadows => "no_shadows",
             Self::LampCentres => "lamp_centres",
             Self::RgbForSpectra => "rgb_for_spectra",
@@ -65,18 +77,20 @@ pub struct Bias {
 pub fn biases(stage: &Stage) -> Vec<Bias> {
     let survey = Survey::of(stage);
     let integrator = &stage.scene.integrator;
-    match &integrator.value {
-        Integrator::Preview(_) => vec![preview(integrator.span)],
-        Integrator::Direct(direct) => {
-            let mut all = Vec::new();
-            all.extend(depth(&survey, integrator.span));
-            all.extend(constant_lights(&survey));
-            all.extend(no_shadows(&survey, direct));
-            all.extend(lamp_centres(&survey, direct));
-            all.extend(spectra::biases(&survey));
-            all
-        }
+    if let Integrator::Preview(_) = &integrator.value {
+        return vec![preview(integrator.span)];
     }
+    let mut all = Vec::new();
+    all.extend(depth(&survey, integrator));
+    all.extend(mirrored(&survey, integrator));
+    all.extend(constant_lights(&survey, integrator));
+    all.extend(lights_off(&survey, integrator));
+    all.extend(never_met(&survey, integrator));
+    all.extend(near_ambient(&survey, integrator));
+    all.extend(no_shadows(&survey, integrator));
+    all.extend(lamp_centres(&survey, integrator));
+    all.extend(spectra::biases(&survey));
+    all
 }
 
 fn preview(at: Span) -> Bias {
@@ -93,49 +107,83 @@ fn preview(at: Span) -> Bias {
     }
 }
 
-/// None if no light can meet a second surface, or what it meets is black.
-fn depth(survey: &Survey, at: Span) -> Option<Bias> {
+/// None if no light can be scattered more often than is followed, or what it meets is black.
+fn depth(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
+    let most = integrator.scatterings()?;
     let brightest = survey.brightest()?;
-    survey.shining()?;
+    survey.lit_by(integrator)?;
     if !survey.scatters_twice() {
         return None;
     }
-    let missing = "light that met more than one surface is missing";
-    let bound = (brightest.albedo < 1.0).then_some(brightest.albedo);
-    let percent = (1000.0 * brightest.albedo).ceil() / 10.0;
-    let brief = match bound {
-        Some(_) => format!("at most {percent} % of the light on surfaces is missing"),
+    let (setting, at, missing) = match &integrator.value {
+        Integrator::Path(path) => (
+            format!("`depth: {most}`"),
+            path.depth.span,
+            format!("light that was scattered more than {most} times is missing"),
+        ),
+        other => {
+            let word = if let Integrator::Ambient(_) = other { "ambient" } else { "direct" };
+            let missing = "light that met more than one surface is missing".to_string();
+            (format!("`{word}`"), integrator.span, missing)
+        }
+    };
+    // Mirrors and glass may gather light: no albedo bounds what comes by them.
+    let bound = (survey.specular().is_none() && brightest.albedo < 1.0)
+        .then(|| brightest.albedo.powf(most as f64));
+    let percent = bound.map(|bound| (1000.0 * bound).ceil() / 10.0);
+    let brief = match percent {
+        Some(percent) => format!("at most {percent} % of the light on surfaces is missing"),
         None => "any part of the light on surfaces may be missing".to_string(),
     };
-    let effect = match bound {
-        Some(_) => {
-            let name = &*brightest.material.name;
-            format!(
-                "{missing}; by the albedo of `{name}`, the brightest, at most {percent} % of all \
-                 that surfaces scatter"
-            )
-        }
-        None => {
-            let name = &*brightest.material.name;
-            format!("{missing}, any part of all: `{name}` gives back all that it gets")
-        }
+    let name = &*brightest.material.name;
+    let effect = match percent {
+        Some(percent) => format!(
+            "{missing}; by the albedo of `{name}`, the brightest, at most {percent} % of all that \
+             surfaces scatter"
+        ),
+        None if survey.specular().is_some() => format!("{missing}, any part of all"),
+        None => format!("{missing}, any part of all: `{name}` gives back all that it gets"),
     };
     Some(Bias {
         kind: Kind::Depth,
-        setting: "`direct`".to_string(),
+        setting,
         at,
         effect,
         brief,
         bound,
-        instead_write: "no integrator follows light further yet: render without `--unbiased`, and \
-                        read the list of biases at the end",
+        instead_write: "follow light further: write `integrator: path`",
+        instead: None,
+    })
+}
+
+/// None if there are no mirrors, or light is followed by them however often.
+fn mirrored(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
+    let depth = match &integrator.value {
+        Integrator::Ambient(ambient) => &ambient.specular_depth,
+        Integrator::Direct(direct) => &direct.specular_depth,
+        Integrator::Path(_) | Integrator::Preview(_) => return None,
+    };
+    let most = depth.most()?;
+    let mirror = survey.specular()?;
+    let name = &*mirror.material.name;
+    Some(Bias {
+        kind: Kind::SpecularDepth,
+        setting: format!("`specular_depth: {most}`"),
+        at: depth.span,
+        effect: format!(
+            "light that mirrors, glass and metal, such as `{name}`, sent on more than {most} times \
+             is missing"
+        ),
+        brief: format!("light mirrored more than {most} times is missing"),
+        bound: None,
+        instead_write: "write `specular_depth: unlimited`",
         instead: None,
     })
 }
 
 /// None if all surfaces are black: it would light nothing.
-fn constant_lights(survey: &Survey) -> Vec<Bias> {
-    if survey.brightest().is_none() {
+fn constant_lights(survey: &Survey, integrator: &At<Integrator>) -> Vec<Bias> {
+    if integrator.lit_by_surroundings() || survey.brightest().is_none() {
         return Vec::new();
     }
     let bias = |light: &&scene::Named<scene::Light>| Bias {
@@ -145,14 +193,71 @@ fn constant_lights(survey: &Survey) -> Vec<Bias> {
         effect: "it is seen behind the scene, and lights no surface".to_string(),
         brief: "it lights no surface".to_string(),
         bound: None,
-        instead_write: "leave the light out, or take a `directional` one or lamps in its place",
+        instead_write: "write `environment: on` in the integrator, or leave the light out",
         instead: None,
     };
     survey.constant.iter().map(bias).collect()
 }
 
+/// None if lights shine on surfaces, or there are none.
+fn lights_off(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
+    let at = integrator.lit_by_lights().err()?;
+    survey.brightest()?;
+    let light = survey.shining()?;
+    Some(Bias {
+        kind: Kind::LightsOff,
+        setting: "`direct: off`".to_string(),
+        at,
+        effect: format!("lights such as `{}` are not followed to surfaces", **light),
+        brief: "no lamp or light shines on surfaces".to_string(),
+        bound: None,
+        instead_write: "write `direct: on`",
+        instead: None,
+    })
+}
+
+/// None if lights are asked, or all have an extent.
+fn never_met(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
+    let Integrator::Path(path) = &integrator.value else { return None };
+    let light = survey.directional.first().filter(|_| !path.next_event.0)?;
+    survey.brightest()?;
+    Some(Bias {
+        kind: Kind::NeverMet,
+        setting: "`next_event: off`".to_string(),
+        at: path.next_event.span,
+        effect: format!(
+            "no path meets the light `{}`, which has no extent: it lights nothing",
+            *light.name
+        ),
+        brief: "lights without extent are never met".to_string(),
+        bound: None,
+        instead_write: "write `next_event: on`",
+        instead: None,
+    })
+}
+
+/// None if surfaces hide what surrounds the scene however far away they are.
+fn near_ambient(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
+    let Integrator::Ambient(ambient) = &integrator.value else { return None };
+    ambient.distance.as_ref()?;
+    survey.brightest()?;
+    survey.constant.first()?;
+    Some(Bias {
+        kind: Kind::AmbientDistance,
+        setting: "`distance` of `ambient`".to_string(),
+        at: ambient.distance.span,
+        effect: "surfaces that are further away hide nothing of what surrounds the scene"
+            .to_string(),
+        brief: "surfaces far away hide nothing".to_string(),
+        bound: None,
+        instead_write: "leave `distance` out",
+        instead: None,
+    })
+}
+
 /// None if there is nothing to hide.
-fn no_shadows(survey: &Survey, direct: &scene::Direct) -> Option<Bias> {
+fn no_shadows(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
+    let Integrator::Direct(direct) = &integrator.value else { return None };
     survey.brightest()?;
     survey.shining()?;
     if direct.shadows.0 || survey.only_convex().is_some() {
@@ -172,7 +277,8 @@ fn no_shadows(survey: &Survey, direct: &scene::Direct) -> Option<Bias> {
 }
 
 /// None if no lamp lights anything.
-fn lamp_centres(survey: &Survey, direct: &scene::Direct) -> Option<Bias> {
+fn lamp_centres(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
+    let Integrator::Direct(direct) = &integrator.value else { return None };
     survey.brightest()?;
     survey.lamp()?;
     if direct.area_lights.value == AreaLights::Random {

@@ -3,7 +3,7 @@
 use super::survey::Survey;
 use crate::diag::Span;
 use crate::load::Stage;
-use crate::scene::{AreaLights, Integrator};
+use crate::scene::Integrator;
 
 /// Something that the renderer does only where it has to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,7 +12,7 @@ pub enum Feature {
     Lights,
     /// Rays from surfaces to lights, to see what is hidden.
     ShadowRays,
-    /// Two random numbers for each light at every hit.
+    /// Random numbers for each light at every hit.
     LampPoints,
     /// Normals at the corners of triangles are kept, and read at every hit.
     Normals,
@@ -133,13 +133,20 @@ struct Asked<'a> {
 
 impl Asked<'_> {
     fn lights(&self) -> Reason {
-        let survey = &self.survey;
-        if let Integrator::Preview(_) = self.integrator {
+        let (survey, integrator) = (&self.survey, self.integrator);
+        if !integrator.follows_light() {
             return (Need::Unneeded, "`preview` follows no light".to_string(), Some(self.at));
         }
-        match (survey.shining(), survey.brightest()) {
+        if let Err(at) = integrator.asks_lights() {
+            let why = match integrator {
+                Integrator::Path(_) => "`next_event: off`",
+                _ => "`direct: off`",
+            };
+            return (Need::SwitchedOff, why.to_string(), Some(at));
+        }
+        match (survey.asked(integrator), survey.brightest()) {
             (None, _) => (Need::Unneeded, "nothing shines on surfaces".to_string(), None),
-            (_, None) => (Need::Unneeded, "all surfaces are black".to_string(), None),
+            (_, None) => (Need::Unneeded, "no surface scatters light".to_string(), None),
             (Some(light), Some(lit)) => {
                 let (light, lit) = (light, &lit.object.name);
                 let why = match light.value == lit.value {
@@ -151,27 +158,25 @@ impl Asked<'_> {
         }
     }
 
-    /// Why no light is followed to surfaces, or none.
+    /// Why no light is asked for by surfaces, or none.
     fn unlit(&self) -> Option<Reason> {
         let (need, _, at) = self.lights();
-        let why = "no light is followed to surfaces";
-        (need == Need::Unneeded).then(|| (need, why.to_string(), at))
+        let why = "no light is asked for by surfaces";
+        (need != Need::Required).then(|| (Need::Unneeded, why.to_string(), at))
     }
 
     fn shadow_rays(&self) -> Reason {
         if let Some(unlit) = self.unlit() {
             return unlit;
         }
-        if let Integrator::Direct(direct) = self.integrator
-            && !direct.shadows.0
-        {
-            return (Need::SwitchedOff, "`shadows: off`".to_string(), Some(direct.shadows.span));
+        if let Err(at) = self.integrator.shadows() {
+            return (Need::SwitchedOff, "`shadows: off`".to_string(), Some(at));
         }
         if let Some(only) = self.survey.only_convex() {
             let why = format!("`{}` is all there is, and hides no light from itself", *only.name);
             return (Need::Unneeded, why, Some(only.name.span));
         }
-        let light = self.survey.shining();
+        let light = self.survey.asked(self.integrator);
         let name = light.map_or("light", |light| light.value.as_str());
         let why = format!("surfaces may hide `{name}`");
         (Need::Required, why, light.map(|light| light.span))
@@ -181,18 +186,20 @@ impl Asked<'_> {
         if let Some(unlit) = self.unlit() {
             return unlit;
         }
-        if let Integrator::Direct(direct) = self.integrator
-            && direct.area_lights.value == AreaLights::Center
-        {
+        if let Err(at) = self.integrator.lamp_points() {
             let why = "`area_lights: center` takes each lamp for a point";
-            return (Need::Unneeded, why.to_string(), Some(direct.area_lights.span));
+            return (Need::Unneeded, why.to_string(), Some(at));
         }
-        match self.survey.lamp() {
-            Some(lamp) => {
-                let why = format!("the lamp `{}` has an area", *lamp.object.name);
-                (Need::Required, why, Some(lamp.object.name.span))
+        if let Some(lamp) = self.survey.lamp() {
+            let why = format!("the lamp `{}` has an area", *lamp.object.name);
+            return (Need::Required, why, Some(lamp.object.name.span));
+        }
+        match self.survey.constant.first().filter(|_| self.integrator.asks_surroundings()) {
+            Some(light) => {
+                let why = format!("`{}` shines from everywhere around", *light.name);
+                (Need::Required, why, Some(light.name.span))
             }
-            None => (Need::Unneeded, "no lamp has an area".to_string(), None),
+            None => (Need::Unneeded, "no light has an extent".to_string(), None),
         }
     }
 }

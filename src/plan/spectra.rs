@@ -73,8 +73,8 @@ fn shining<'a>(survey: &Survey<'a>) -> Vec<Side<'a>> {
         }
     }
     found.extend(materials(survey, |material| {
-        let Material::Diffuse(diffuse) = material;
-        (&diffuse.emission.value.0, diffuse.emission.span)
+        let emission = material.emission()?;
+        Some((&emission.value.0, emission.span))
     }));
     found.retain(|side| !side.spectrum.is_zero() && !matches!(side.spectrum, Spectrum::Rgb(_)));
     found
@@ -83,8 +83,8 @@ fn shining<'a>(survey: &Survey<'a>) -> Vec<Side<'a>> {
 /// Surfaces on which some light may come out wrong: those of a spectrum that is no plain number.
 fn scattering<'a>(survey: &Survey<'a>) -> Vec<Side<'a>> {
     let mut found = materials(survey, |material| {
-        let Material::Diffuse(diffuse) = material;
-        (&diffuse.albedo.value.0, diffuse.albedo.span)
+        let reflectance = material.reflectance()?;
+        Some((&reflectance.value.0, reflectance.span))
     });
     let varies = |of: &Spectrum| matches!(of, Spectrum::Table(_) | Spectrum::Formula { .. });
     found.retain(|side| !side.spectrum.is_zero() && varies(side.spectrum));
@@ -94,16 +94,16 @@ fn scattering<'a>(survey: &Survey<'a>) -> Vec<Side<'a>> {
 /// The materials in use, each once, with a spectrum of theirs.
 fn materials<'a>(
     survey: &Survey<'a>,
-    spectrum: impl Fn(&'a Material) -> (&'a Spectrum, Span),
+    spectrum: impl Fn(&'a Material) -> Option<(&'a Spectrum, Span)>,
 ) -> Vec<Side<'a>> {
     let mut found: Vec<Side> = Vec::new();
     let mut known = std::collections::HashMap::new();
     for surface in &survey.surfaces {
         let material = surface.material;
+        let Some((spectrum, at)) = spectrum(&material.value.value) else { continue };
         // Another file of materials may use the name again.
         let index =
             *known.entry((&*material.name.value, material.value.span)).or_insert_with(|| {
-                let (spectrum, at) = spectrum(&material.value.value);
                 let name = format!("`{}`", *material.name);
                 found.push(Side {
                     name,

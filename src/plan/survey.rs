@@ -23,7 +23,8 @@ pub(super) struct Survey<'a> {
 pub(super) struct Surface<'a> {
     pub object: &'a Named<Object>,
     pub material: &'a Named<Material>,
-    /// The largest channel of the part of light it gives back; as rendered.
+    /// The largest channel of the part of light it scatters, as rendered; 0 for mirrors, glass
+    /// and metal.
     pub albedo: f64,
     /// Whether its front shines.
     pub shines: bool,
@@ -87,7 +88,25 @@ impl<'a> Survey<'a> {
         sun.or_else(|| self.lamp().map(|lamp| &lamp.object.name))
     }
 
-    /// The surface that gives most light back; None if all are black.
+    /// The first mirror, glass or metal.
+    pub fn specular(&self) -> Option<&Surface<'a>> {
+        self.surfaces.iter().find(|surface| !surface.material.value.scatters())
+    }
+
+    /// The name of something that surfaces are lit by when they ask for light.
+    pub fn asked(&self, integrator: &scene::Integrator) -> Option<&'a At<String>> {
+        let around = self.constant.first().filter(|_| integrator.asks_surroundings());
+        self.shining().or_else(|| around.map(|light| &light.name))
+    }
+
+    /// The name of anything that lights surfaces.
+    pub fn lit_by(&self, integrator: &scene::Integrator) -> Option<&'a At<String>> {
+        let lights = self.shining().filter(|_| integrator.lit_by_lights().is_ok());
+        let around = self.constant.first().filter(|_| integrator.lit_by_surroundings());
+        lights.or_else(|| around.map(|light| &light.name))
+    }
+
+    /// The surface that scatters most light; None if none scatters any.
     pub fn brightest(&self) -> Option<&Surface<'a>> {
         let scatters = self.surfaces.iter().filter(|surface| surface.albedo > 0.0);
         // The first of equals.
@@ -104,6 +123,9 @@ impl<'a> Survey<'a> {
     pub fn scatters_twice(&self) -> bool {
         let mut scattering = self.surfaces.iter().filter(|surface| surface.albedo > 0.0);
         let Some(first) = scattering.next() else { return false };
+        if self.specular().is_some() {
+            return true;
+        }
         !self.is_convex(first.object)
             || scattering.any(|other| !std::ptr::eq(other.object, first.object))
     }
@@ -116,6 +138,10 @@ impl<'a> Survey<'a> {
     /// Whether an object is one flat surface, or a sphere seen from outside: what leaves the side
     /// that is seen does not come back to it.
     fn is_convex(&self, object: &Named<Object>) -> bool {
+        let mut surfaces = self.surfaces.iter().filter(|s| std::ptr::eq(s.object, object));
+        if surfaces.any(|surface| surface.material.value.transmits()) {
+            return false;
+        }
         match &object.value.value {
             Object::Disk(_) | Object::Plane(_) | Object::Quad(_) | Object::Triangle(_) => true,
             Object::Mesh(_) => false,
@@ -146,13 +172,14 @@ fn is_outside(eye: DVec3, centre: DVec3, radius: f64) -> bool {
 
 impl<'a> Surface<'a> {
     fn new(object: &'a Named<Object>, material: &'a Named<Material>) -> Self {
-        let Material::Diffuse(diffuse) = &material.value.value;
-        let albedo = colour::reflected(&diffuse.albedo.0);
+        let scatters = material.value.scatters();
+        let albedo = material.value.reflectance().filter(|_| scatters);
+        let albedo = albedo.map_or([0.0; 3], |albedo| colour::reflected(&albedo.0));
         Self {
             object,
             material,
             albedo: albedo.into_iter().fold(0.0, f64::max),
-            shines: is_lit(&diffuse.emission.0),
+            shines: material.value.emission().is_some_and(|emission| is_lit(&emission.0)),
         }
     }
 }

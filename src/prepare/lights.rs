@@ -7,15 +7,17 @@ use super::materials::{self, in_units};
 use super::objects::Placed;
 use super::shapes::Assembled;
 use crate::diag::{Diagnostic, Span};
-use crate::math::Rgb;
+use crate::load::Stage;
 use crate::optics::colour;
+use crate::plan::{Feature, Plan};
 use crate::render::geometry::{Geometry, Owner, Primitive};
-use crate::render::lights::{Centre, Directional, Lamp, Light};
-use crate::scene::{self, AreaLights, At, Integrator, Scene};
+use crate::render::lights::{Centre, Directional, Lamp, Light, Lights, Sight, Surroundings};
+use crate::scene::{self, At, Scene};
 
 /// Everything that shines without being a surface.
+#[derive(Default)]
 pub(super) struct Plain {
-    pub background: Rgb,
+    pub surroundings: Vec<Sight>,
     pub directional: Vec<Light>,
 }
 
@@ -44,12 +46,13 @@ pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>
         brightest = brightest.max(largest(colour::emitted(shines), span, "light", &light.name));
     }
     for material in bodies.iter().flat_map(|body| &body.materials) {
-        let scene::Material::Diffuse(diffuse) = &material.value.value;
-        let (albedo, emission) = (&diffuse.albedo, &diffuse.emission);
-        largest(colour::reflected(&albedo.0), albedo.span, "albedo of", &material.name);
-        let emission =
-            largest(colour::emitted(&emission.0), emission.span, "emission of", &material.name);
-        brightest = brightest.max(emission);
+        if let Some(albedo) = material.value.reflectance() {
+            largest(colour::reflected(&albedo.0), albedo.span, "albedo of", &material.name);
+        }
+        if let Some(emission) = material.value.emission() {
+            let (shines, at) = (colour::emitted(&emission.0), emission.span);
+            brightest = brightest.max(largest(shines, at, "emission of", &material.name));
+        }
     }
     // Kept where a reciprocal in f32 is a normal number.
     let exponent =
@@ -59,11 +62,14 @@ pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>
 
 /// The lights that are declared as such.
 pub(super) fn plain(scene: &Scene, light_unit: f64) -> Plain {
-    let mut plain = Plain { background: Rgb::BLACK, directional: Vec::new() };
+    let mut plain = Plain::default();
     for light in &scene.lights {
         match &light.value.value {
             scene::Light::Constant(constant) => {
-                plain.background += in_units(&constant.radiance.0, light_unit);
+                let radiance = in_units(&constant.radiance.0, light_unit);
+                if !radiance.is_black() {
+                    plain.surroundings.push(Sight::Constant(radiance));
+                }
             }
             scene::Light::Directional(sun) => {
                 let irradiance = in_units(&sun.irradiance.0, light_unit);
@@ -125,28 +131,70 @@ impl LampParts {
         self.reach = self.reach.max(reach);
     }
 
+    /// The number of its material, which is of no other lamp.
+    pub fn material(&self) -> u32 {
+        self.owner.material
+    }
+
     /// As render knows it.
     pub fn light(self, geometry: &Geometry, materials: &materials::Table) -> Light {
-        let radiance = materials.all[self.owner.material as usize].emission();
+        let radiance = materials.emission(self.owner.material).unwrap_or_default();
         let centre = Centre::new(self.centroid / self.area, self.facing, self.reach);
         Light::Lamp(Lamp::new(radiance, self.surfaces, geometry, centre))
     }
 }
 
+/// All lights as render knows them; those that nobody asks are only seen.
+pub(super) fn gather(
+    plain: Plain,
+    lamps: Vec<LampParts>,
+    geometry: &Geometry,
+    materials: &materials::Table,
+    stage: &Stage,
+    plan: &Plan,
+) -> Lights {
+    let integrator = &stage.scene.integrator.value;
+    let asks = plan.builds(Feature::Lights);
+    let mut all = Vec::new();
+    let mut of_materials = vec![Lights::NONE; materials.all.len()];
+    if asks {
+        all.extend(plain.directional);
+        for lamp in lamps {
+            of_materials[lamp.material() as usize] = all.len() as u32;
+            all.push(lamp.light(geometry, materials));
+        }
+    }
+    let mut surroundings = Vec::new();
+    for sight in plain.surroundings {
+        let asked = (asks && integrator.asks_surroundings()).then_some(all.len() as u32);
+        let light = Surroundings { sight, asked };
+        if asked.is_some() {
+            all.push(Light::Surroundings(light.clone()));
+        }
+        surroundings.push(light);
+    }
+    Lights { all, surroundings, of_materials }
+}
+
 /// What an integrator asks of lights and does not find.
 pub(super) fn check(scene: &Scene, shapes: &Assembled, plain: &Plain, found: &mut Vec<Diagnostic>) {
-    let Integrator::Direct(direct) = &scene.integrator.value else { return };
+    let integrator = &scene.integrator.value;
+    if !integrator.follows_light() {
+        return;
+    }
+    let points = integrator.lamp_points();
     for lamp in &shapes.lamps {
         let name = &scene.objects[lamp.owner.object as usize].name;
         if !lamp.area.is_finite() {
             found.push(errors::endless_lamp(name));
-        } else if direct.area_lights.value == AreaLights::Center
+        } else if let Err(at) = points
             && lamp.facing.length() <= FACES_NOWHERE * lamp.area
         {
-            found.push(errors::closed_lamp(name, direct.area_lights.span));
+            found.push(errors::closed_lamp(name, at));
         }
     }
-    if shapes.lamps.is_empty() && plain.directional.is_empty() {
+    let surrounded = integrator.lit_by_surroundings() && !plain.surroundings.is_empty();
+    if shapes.lamps.is_empty() && plain.directional.is_empty() && !surrounded {
         found.push(errors::nothing_shines(scene.integrator.span));
     }
 }

@@ -5,9 +5,9 @@ use std::collections::{BTreeMap, HashMap};
 use super::objects::Placed;
 use crate::diag::Span;
 use crate::math::{Rgb, Spectrum};
-use crate::optics::colour;
-use crate::render::materials::{Diffuse, Material};
-use crate::scene;
+use crate::optics::{self, colour};
+use crate::render::materials::{Conductor, Dielectric, Diffuse, Material, Mirror};
+use crate::scene::{self, Medium, Ref, Scene, Sides};
 
 /// The materials in use.
 pub(super) struct Table {
@@ -17,20 +17,25 @@ pub(super) struct Table {
     slots: BTreeMap<u32, Vec<u32>>,
 }
 
-/// Makes the table of all materials of these objects; a declaration is in it once.
-pub(super) fn table(bodies: &[Placed], light_unit: f64) -> Table {
+/// Makes the table of all materials of these objects; a declaration is in it once, one that shines
+/// once for each object.
+pub(super) fn table(scene: &Scene, bodies: &[Placed], light_unit: f64) -> Table {
     let mut table = Table { all: Vec::new(), slots: BTreeMap::new() };
     // A material is known by the place of its declaration: its name alone may be used again by
-    // another file of materials.
-    let mut known: HashMap<(&str, Span), u32> = HashMap::new();
+    // another file of materials. One that shines makes a lamp of each object.
+    let mut known: HashMap<(&str, Span, Option<u32>), u32> = HashMap::new();
     for body in bodies {
         let mut slots = Vec::with_capacity(body.materials.len());
         for named in &body.materials {
             let number = *known
-                .entry((named.name.value.as_str(), named.value.span))
+                .entry((
+                    named.name.value.as_str(),
+                    named.value.span,
+                    named.value.shines().then_some(body.number),
+                ))
                 .or_insert(table.all.len() as u32);
             if number as usize == table.all.len() {
-                table.all.push(material(&named.value, light_unit));
+                table.all.push(material(scene, &named.value, light_unit));
             }
             slots.push(number);
         }
@@ -45,20 +50,58 @@ impl Table {
         self.slots[&object][slot]
     }
 
-    /// Whether surfaces of this material are lamps.
-    pub fn shines(&self, number: u32) -> bool {
-        !self.all[number as usize].emission().is_black()
+    /// The radiance of surfaces of this material, in light units, and whether both sides have it;
+    /// None if they are no lamps.
+    pub fn emission(&self, number: u32) -> Option<(Rgb, bool)> {
+        match &self.all[number as usize] {
+            Material::Diffuse(diffuse) if !diffuse.emission.is_black() => {
+                Some((diffuse.emission, diffuse.both))
+            }
+            _ => None,
+        }
     }
 }
 
-fn material(material: &scene::Material, light_unit: f64) -> Material {
+fn material(scene: &Scene, material: &scene::Material, light_unit: f64) -> Material {
     match material {
+        scene::Material::Conductor(conductor) => Material::Conductor(Conductor {
+            n: channels(&conductor.ior.n),
+            k: channels(&conductor.ior.k),
+        }),
+        scene::Material::Dielectric(dielectric) => Material::Dielectric(Dielectric {
+            inside: index(scene, &dielectric.inside),
+            outside: dielectric.outside.as_ref().map_or(1.0, |medium| index(scene, medium)),
+        }),
+        scene::Material::Mirror(mirror) => Material::Mirror(Mirror {
+            reflectance: as_f32(colour::reflected(&mirror.reflectance.0)),
+        }),
         scene::Material::Diffuse(diffuse) => Material::Diffuse(Diffuse {
             albedo: as_f32(colour::reflected(&diffuse.albedo.0)),
             emission: in_units(&diffuse.emission.0, light_unit),
+            both: diffuse.emits.value == Sides::Both,
         }),
     }
 }
+
+/// A part of an index of refraction for each channel.
+fn channels(of: &Spectrum) -> [f32; 3] {
+    match of {
+        Spectrum::Rgb(channels) => channels.map(|channel| channel as f32),
+        other => PRIMARIES.map(|nm| optics::at(other, nm) as f32),
+    }
+}
+
+/// Wavelengths in nm that look like the primaries of sRGB.
+const PRIMARIES: [f64; 3] = [611.4, 549.1, 464.3];
+
+/// The index of refraction of a medium at the middle of the visible range.
+fn index(scene: &Scene, medium: &Ref<Medium>) -> f64 {
+    let Medium::Homogeneous(medium) = &scene.medium(medium).value.value;
+    optics::at(&medium.ior.n, MIDDLE)
+}
+
+/// Wavelength of the yellow line of helium, at which indices are told in catalogues, in nm.
+const MIDDLE: f64 = 587.6;
 
 /// What light a spectrum is, in light units.
 pub(super) fn in_units(spectrum: &Spectrum, light_unit: f64) -> Rgb {

@@ -21,7 +21,7 @@ use crate::plan::{Feature, Plan};
 use crate::render::geometry::Geometry;
 use crate::render::integrators::Integrator;
 use crate::render::samplers::Rhythm;
-use crate::render::{World, film::Film, lights::Lights};
+use crate::render::{World, film::Film};
 use crate::scene;
 
 pub use film::Unfit;
@@ -56,6 +56,8 @@ pub struct Prepared {
     pub world: World,
     /// How light is followed.
     pub integrator: Integrator,
+    /// World units a metre.
+    pub scale: f64,
     /// The scene's objects: number n of a hit is the n-th here.
     pub objects: Vec<ObjectNote>,
     /// What was made of the scene.
@@ -123,10 +125,14 @@ pub fn prepare_by(
     (parts.map(|parts| build(stage, plan, parts)), diagnostics)
 }
 
-/// How light is followed by another integrator than the stage's own, in the same world. It must
-/// be one that needs what the stage's own does: `direct` in place of `direct`.
-pub fn other_integrator(stage: &Stage, integrator: &scene::Integrator) -> Integrator {
-    integrator::prepare(integrator, &Plan::with(stage, integrator))
+/// How light is followed by another integrator than the stage's own, in the same world: one that needs
+/// no other lights to be asked.
+pub fn other_integrator(
+    stage: &Stage,
+    prepared: &Prepared,
+    integrator: &scene::Integrator,
+) -> Integrator {
+    integrator::prepare(integrator, &Plan::with(stage, integrator), prepared.scale)
 }
 
 /// A world but for the tree over its shapes.
@@ -138,6 +144,7 @@ struct Parts {
     film: Film,
     integrator: Integrator,
     light_unit: f64,
+    scale: f64,
 }
 
 fn assemble(
@@ -159,9 +166,10 @@ fn assemble(
     }
     let space = space::Space::around(&bodies, &scene.camera);
     let light_unit = lights::unit(scene, &bodies, &mut found);
-    let materials = materials::table(&bodies, light_unit);
+    let materials = materials::table(scene, &bodies, light_unit);
     let lights = lights::plain(scene, light_unit);
-    let integrator = integrator::prepare(&scene.integrator, plan);
+    let integrator = integrator::prepare(&scene.integrator, plan, space.length(1.0));
+    integrator::check(&scene.integrator, &mut found);
     let shapes = shapes::assemble(&bodies, &space, &materials, plan, progress, &mut found);
     lights::check(scene, &shapes, &lights, &mut found);
     let window = film::window(&scene.film, settings);
@@ -172,7 +180,8 @@ fn assemble(
         return (None, found);
     };
     let film = Film { size, window, filter: film::filter(&scene.film.filter) };
-    let parts = Parts { shapes, materials, lights, camera, film, integrator, light_unit };
+    let scale = space.length(1.0);
+    let parts = Parts { shapes, materials, lights, camera, film, integrator, light_unit, scale };
     (Some(parts), found)
 }
 
@@ -180,11 +189,7 @@ fn build(stage: &Stage, plan: &Plan, parts: Parts) -> Prepared {
     let shapes::Assembled { shapes, lamps, objects, slivers } = parts.shapes;
     let other_shapes: u64 = objects.iter().map(|object| object.others).sum();
     let geometry = Geometry::build(shapes).with_coordinates(plan.builds(Feature::Coordinates));
-    let mut all = Vec::new();
-    if plan.builds(Feature::Lights) {
-        all.extend(parts.lights.directional);
-        all.extend(lamps.into_iter().map(|lamp| lamp.light(&geometry, &parts.materials)));
-    }
+    let lights = lights::gather(parts.lights, lamps, &geometry, &parts.materials, stage, plan);
     let triangles: u64 = objects.iter().map(|object| object.triangles).sum();
     let primitives = (triangles + other_shapes).max(1);
     let bytes = geometry.bytes() as u64;
@@ -199,7 +204,7 @@ fn build(stage: &Stage, plan: &Plan, parts: Parts) -> Prepared {
         triangles,
         other_shapes,
         materials: parts.materials.all.len() as u64,
-        lights: all.len() as u64,
+        lights: lights.all.len() as u64,
         slivers,
         bytes,
     };
@@ -207,10 +212,11 @@ fn build(stage: &Stage, plan: &Plan, parts: Parts) -> Prepared {
         objects: stage.scene.objects.iter().zip(&objects).map(note).collect(),
         summary,
         integrator: parts.integrator,
+        scale: parts.scale,
         world: World {
             geometry,
             materials: parts.materials.all,
-            lights: Lights { background: parts.lights.background, all },
+            lights,
             camera: parts.camera,
             film: parts.film,
             sampler: integrator::sampler(&stage.scene.sampler),

@@ -278,7 +278,7 @@ impl One<'_> {
         facing: DVec3,
         reach: DVec3,
     ) {
-        if self.materials.shines(owner.material) {
+        if self.materials.emission(owner.material).is_some() {
             let lamp = self.lamps.entry(owner.material).or_insert_with(|| LampParts::new(owner));
             lamp.add(primitive, area, centroid, facing, reach);
         }

@@ -11,8 +11,8 @@ use serde::{Deserialize, Serialize};
 use super::World;
 use super::film::{Begun, Taken, Tile};
 use super::geometry::Ray;
+use super::integrators::Carrier;
 use super::samplers::Stream;
-use crate::math::Rgb;
 
 /// What a pass is asked to do.
 pub struct Job<'a> {
@@ -28,15 +28,6 @@ pub struct Job<'a> {
     pub cancelled: &'a (dyn Fn() -> bool + Sync),
     /// Told after each tile how many samples were taken in it.
     pub advance: &'a (dyn Fn(u64) + Sync),
-}
-
-/// What one sample found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// Radiance along the camera's ray, in light units.
-    pub radiance: Rgb,
-    /// Number of the object that the camera's ray met.
-    pub object: Option<u32>,
 }
 
 /// What is counted while samples are taken.
@@ -92,7 +83,7 @@ impl Counts {
 /// was taken before. A tile is None if the job was cancelled before it.
 pub fn pass<F>(world: &World, job: &Job, radiance: F) -> Vec<Option<Begun>>
 where
-    F: Fn(&Ray, &mut Stream, &mut Counts) -> Sample + Sync,
+    F: Fn(&Ray, &mut Stream, &mut Carrier) + Sync,
 {
     let tiles = world.film.tiles();
     job.tiles
@@ -113,34 +104,34 @@ where
 /// The samples of one tile.
 fn one<F>(world: &World, job: &Job, tile: &Tile, from: Option<&Begun>, radiance: &F) -> Begun
 where
-    F: Fn(&Ray, &mut Stream, &mut Counts) -> Sample,
+    F: Fn(&Ray, &mut Stream, &mut Carrier),
 {
     let rhythm = world.sampler.rhythm();
     let (block, first) = (job.samples.start / rhythm.block, job.samples.start % rhythm.block);
     let fresh = || Begun::new(tile.pixels() as usize, block, rhythm);
     let mut begun = from.cloned().unwrap_or_else(fresh);
-    let mut counts = *begun.counts();
+    let mut carrier = Carrier::new(*begun.counts());
     for (index, (x, y)) in tile.places().enumerate() {
         let mut pixel = begun.pixel(index);
         for (nth, sample) in (first..).zip(job.samples.clone()) {
             let mut stream = world.sampler.stream(job.seed, world.film.index(x, y), sample);
             let (dx, dy, weight) = world.film.filter.sample(stream.pair());
             let ray = world.camera.ray(x as f64 + 0.5 + dx, y as f64 + 0.5 + dy);
-            counts.rays += 1;
-            let found = radiance(&ray, &mut stream, &mut counts);
-            let value = if found.radiance.is_finite() {
-                found.radiance.to_array().map(|component| weight * f64::from(component))
+            carrier.counts.rays += 1;
+            radiance(&ray, &mut stream, &mut carrier);
+            let value = if carrier.radiance.is_finite() {
+                carrier.radiance.to_array().map(|component| weight * f64::from(component))
             } else {
-                let first = Place { y, x, sample, object: found.object };
+                let first = Place { y, x, sample, object: carrier.object };
                 let invalid = Some(Invalid { count: 1, first });
-                counts.add(&Counts { invalid, ..Counts::default() });
+                carrier.counts.add(&Counts { invalid, ..Counts::default() });
                 [0.0; 3]
             };
             pixel.add(value, nth, rhythm);
         }
         begun.put(index, &pixel);
     }
-    *begun.counts() = counts;
+    *begun.counts() = carrier.counts;
     begun
 }
 
@@ -172,6 +163,7 @@ mod tests {
     use crate::render::film::{Film, Filter, Window};
     use crate::render::geometry::{Geometry, Shapes};
     use crate::render::lights::Lights;
+    use crate::math::Rgb;
     use crate::render::samplers::Sampler;
     use glam::DVec3;
 
@@ -196,7 +188,7 @@ mod tests {
     /// What was taken, and these samples of all tiles in one pass.
     fn more<F>(world: &World, mut taken: Taken, samples: Range<u64>, radiance: F) -> Taken
     where
-        F: Fn(&Ray, &mut Stream, &mut Counts) -> Sample + Sync,
+        F: Fn(&Ray, &mut Stream, &mut Carrier) + Sync,
     {
         let tiles: Vec<usize> = (0..taken.tiles()).collect();
         let end = samples.end;
@@ -219,11 +211,12 @@ mod tests {
     }
 
     /// Not finite where the ray goes to the left and down; else one.
-    fn broken(ray: &Ray, _: &mut Stream, _: &mut Counts) -> Sample {
+    fn broken(ray: &Ray, _: &mut Stream, carrier: &mut Carrier) {
         let bad = ray.direction.x > 0.0 && ray.direction.y < 0.0;
         let value =
             if bad { [f32::NAN, f32::INFINITY][usize::from(ray.direction.x > 0.1)] } else { 1.0 };
-        Sample { radiance: Rgb::new(1.0, value, 1.0), object: Some(7) }
+        carrier.radiance = Rgb::new(1.0, value, 1.0);
+        carrier.object = Some(7);
     }
 
     #[test]
@@ -247,9 +240,9 @@ mod tests {
     #[test]
     fn passes_go_on_where_others_ended() {
         let world = world();
-        let value = |ray: &Ray, stream: &mut Stream, _: &mut Counts| {
+        let value = |ray: &Ray, stream: &mut Stream, carrier: &mut Carrier| {
             let [u, _] = stream.pair();
-            Sample { radiance: Rgb::grey(ray.direction.x * u as f32 / 3.0), object: None }
+            carrier.radiance = Rgb::grey(ray.direction.x * u as f32 / 3.0);
         };
         let whole = more(&world, nothing(&world), 0..10, value);
         let first = more(&world, nothing(&world), 0..3, value);

@@ -10,6 +10,7 @@ mod film;
 mod integrator;
 mod light;
 mod material;
+mod medium;
 mod object;
 mod sampler;
 pub mod schema;
@@ -22,14 +23,15 @@ mod whole;
 pub use at::At;
 pub use camera::{Camera, Overview, Perspective};
 pub use film::{BoxFilter, Film, Filter, Gaussian, Mitchell, Tent};
-pub use integrator::{AreaLights, Direct, Integrator, Preview};
+pub use integrator::{Ambient, AreaLights, Direct, Integrator, Path, Preview, Roulette, Splits};
 pub use light::{Constant, Directional, Light};
-pub use material::{Diffuse, Material};
-pub use object::{Ambient, Disk, Mesh, Object, Plane, Quad, Sphere, Triangle};
+pub use material::{Conductor, Dielectric, Diffuse, Material, Mirror, Sides};
+pub use medium::{Homogeneous, Medium};
+pub use object::{Disk, KaMeans, Mesh, Object, Plane, Quad, Sphere, Triangle};
 pub use sampler::{Independent, Sampler, Sobol, Stratified};
 pub use stop::Stop;
 pub use values::{
-    Angle, Coefficient, Count, Direction, Exposure, FileName, Flux, Index, Irradiance, Length,
-    Number, Place, Point, Radiance, Ref, Reflectance, Size, Step, Switch, Text, Time,
+    Angle, Coefficient, Count, Depth, Direction, Exposure, FileName, Flux, Index, Irradiance, Length,
+    LightCount, Number, Place, Point, Radiance, Ref, Reflectance, Size, Step, Switch, Text, Time,
 };
 pub use whole::{Items, KINDS, KindOf, Named, Scene};

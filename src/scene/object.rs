@@ -33,7 +33,7 @@ vocabulary! {
             /// Replaces materials of the file by the name they have there.
             materials: Vec<(At<String>, At<Ref<Material>>)> = "{}";
             /// What a Ka in the .mtl file means; must be said where one is not zero.
-            ambient: Option<Ambient>;
+            ambient: Option<KaMeans>;
             /// Where it is moved to, step by step.
             place: Place = "[]";
         }
@@ -91,7 +91,7 @@ vocabulary! {
 
 vocabulary! {
     /// What a Ka in a .mtl file means. Programs write it for anything.
-    pub words Ambient: "meaning of Ka" {
+    pub words KaMeans: "meaning of Ka" {
         /// The radiance the surface emits, in W/m²/sr.
         "emission" => Emission
         /// Nothing.

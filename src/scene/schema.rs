@@ -32,6 +32,8 @@ pub enum Type {
     Index,
     /// One of some words.
     Words(&'static Words),
+    /// A whole number, or one of some words.
+    CountOr(&'static Words),
     /// One of some variants, each a word with a record.
     OneOf(&'static Variants),
     /// Fields in braces.
@@ -179,7 +181,7 @@ pub struct Kind {
 pub enum Checked {
     /// Of `Number`, in base units.
     Number(f64),
-    /// Of `Count`.
+    /// Of `Count` and `CountOr`.
     Count(u64),
     /// Of `Switch`.
     Switch(bool),
@@ -197,7 +199,7 @@ pub enum Checked {
     Spectrum(Spectrum),
     /// Of `Index`: n, and k of n + ik.
     Index(Spectrum, Spectrum),
-    /// Of `Words`: which.
+    /// Of `Words` and `CountOr`: which.
     Word(usize),
     /// Of `OneOf`: which, and its fields in the order of the schema.
     Variant(usize, Vec<At<Checked>>),

@@ -6,8 +6,9 @@ use std::path::PathBuf;
 use glam::{DAffine3, DMat3, DVec3};
 use serde::{Serialize, Serializer};
 
-use super::schema::{Checked, Type, Vocabulary, unchecked};
+use super::schema::{Checked, Type, Vocabulary, Words, unchecked};
 use super::spectral::Spectral;
+use super::vocabulary::joined;
 use crate::math::units::Dimension;
 use crate::math::{Spectrum, Transform};
 
@@ -107,6 +108,70 @@ plain! {
     Direction(DVec3): Direction from Vector;
     /// Columns and rows.
     Size([u64; 2]): Size from Size;
+}
+
+/// Declares whole numbers that may also be a word.
+macro_rules! count_or {
+    ($(#[doc = $doc:literal])+ $Name:ident: $name:literal {
+        $(#[doc = $cdoc:literal])+ $Count:ident,
+        $(#[doc = $wdoc:literal])+ $word:literal => $Word:ident $(,)?
+    }) => {
+        $(#[doc = $doc])+
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+        #[serde(rename_all = "snake_case")]
+        pub enum $Name {
+            $(#[doc = $cdoc])+
+            $Count(u64),
+            $(#[doc = $wdoc])+
+            $Word,
+        }
+
+        impl Vocabulary for $Name {
+            const TYPE: Type = Type::CountOr(&Words {
+                name: $name,
+                doc: joined(concat!($($doc, "\n"),+)),
+                all: &[($word, joined(concat!($($wdoc, "\n"),+)))],
+            });
+
+            fn lower(checked: &Checked) -> Self {
+                match checked {
+                    Checked::Count(count) => Self::$Count(*count),
+                    Checked::Word(0) => Self::$Word,
+                    other => unchecked($name, other),
+                }
+            }
+        }
+    };
+}
+
+count_or! {
+    /// How often something may happen to light on its way.
+    Depth: "depth" {
+        /// So often at most.
+        Most,
+        /// As often as it does.
+        "unlimited" => Unlimited,
+    }
+}
+
+impl Depth {
+    /// So often at most; None: as often as it does.
+    pub fn most(self) -> Option<u64> {
+        match self {
+            Self::Most(most) => Some(most),
+            Self::Unlimited => None,
+        }
+    }
+}
+
+count_or! {
+    /// How many lights are asked.
+    LightCount: "number of lights" {
+        /// So many, chosen by importance.
+        Chosen,
+        /// Each of them.
+        "all" => All,
+    }
 }
 
 /// A file as the author named it, and where that is.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::schema::{Checked, Kind, Vocabulary};
-use super::{At, Camera, Film, Integrator, Light, Material, Object, Sampler, Stop, Text};
+use super::{At, Camera, Film, Integrator, Light, Material, Medium, Object, Sampler, Stop, Text};
 
 /// A declaration with its name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -103,6 +103,8 @@ kinds! {
         "light" => lights: Light;
         /// What a surface does with light.
         "material" => materials: Material;
+        /// What fills space.
+        "medium" => media: Medium;
         /// A surface, or many.
         "object" => objects: Object;
     }
@@ -113,6 +115,12 @@ impl Scene {
     pub fn material(&self, name: &super::Ref<Material>) -> &Named<Material> {
         let found = self.materials.binary_search_by(|m| m.name.value.as_str().cmp(&name.name));
         &self.materials[found.expect("checked: references name declarations")]
+    }
+
+    /// The medium a reference names.
+    pub fn medium(&self, name: &super::Ref<Medium>) -> &Named<Medium> {
+        let found = self.media.binary_search_by(|m| m.name.value.as_str().cmp(&name.name));
+        &self.media[found.expect("checked: references name declarations")]
     }
 }
 

@@ -42,7 +42,36 @@ pub fn integrator(shadows: bool, area_lights: scene::AreaLights) -> scene::Integ
     scene::Integrator::Direct(scene::Direct {
         shadows: at(scene::Switch(shadows)),
         area_lights: at(area_lights),
+        environment: at(scene::Switch(false)),
+        lights: at(scene::LightCount::All),
+        light_samples: at(scene::Count(1)),
+        specular_depth: at(scene::Depth::Most(10)),
+        splits: at(splits(0, 0, 1)),
+        roulette: at(scene::Roulette::Throughput),
     })
+}
+
+/// All light, with the defaults of the language.
+pub fn path() -> scene::Path {
+    scene::Path {
+        next_event: at(scene::Switch(true)),
+        mis: at(scene::Switch(true)),
+        lights: at(scene::LightCount::Chosen(1)),
+        light_samples: at(scene::Count(1)),
+        splits: at(splits(0, 0, 1)),
+        roulette: at(scene::Roulette::Throughput),
+        roulette_after: at(scene::Count(3)),
+        depth: at(scene::Depth::Unlimited),
+    }
+}
+
+/// Where a path goes on as several.
+pub fn splits(specular: u64, diffuse: u64, rays: u64) -> scene::Splits {
+    scene::Splits {
+        specular: at(scene::Count(specular)),
+        diffuse: at(scene::Count(diffuse)),
+        rays: at(scene::Count(rays)),
+    }
 }
 
 /// So many samples, and no other limit.
@@ -85,6 +114,7 @@ impl Hand {
                 stop: at(stop(1)),
                 lights: Vec::new(),
                 materials: Vec::new(),
+                media: Vec::new(),
                 objects: Vec::new(),
             },
             meshes: Vec::new(),
@@ -134,6 +164,24 @@ impl Hand {
         self.scene.materials.push(diffuse(name, Spectrum::Constant(albedo), emission));
         self.scene.materials.sort_by(|a, b| a.name.value.cmp(&b.name.value));
         self
+    }
+
+    /// A material other than diffuse.
+    pub fn made_of(mut self, name: &str, material: scene::Material) -> Self {
+        self.scene.materials.push(Named { name: at(name.to_string()), value: at(material) });
+        self.scene.materials.sort_by(|a, b| a.name.value.cmp(&b.name.value));
+        self
+    }
+
+    /// Clear matter of an index, and a material of that name whose inside it is.
+    pub fn glass(mut self, name: &str, index: f64) -> Self {
+        let ior = scene::Index { n: Spectrum::Constant(index), k: Spectrum::Constant(0.0) };
+        let medium = scene::Medium::Homogeneous(scene::Homogeneous { ior: at(ior) });
+        self.scene.media.push(Named { name: at(name.to_string()), value: at(medium) });
+        self.scene.media.sort_by(|a, b| a.name.value.cmp(&b.name.value));
+        let inside = at(scene::Ref::new(name));
+        let dielectric = scene::Dielectric { inside, outside: at(None) };
+        self.made_of(name, scene::Material::Dielectric(dielectric))
     }
 
     pub fn directional(mut self, direction: DVec3, irradiance: f64) -> Self {
@@ -300,6 +348,7 @@ fn diffuse(name: &str, albedo: Spectrum, emission: f64) -> Named<scene::Material
     let material = scene::Material::Diffuse(scene::Diffuse {
         albedo: at(scene::Reflectance(albedo)),
         emission: at(scene::Radiance(Spectrum::Constant(emission))),
+        emits: at(scene::Sides::Front),
     });
     Named { name: at(name.to_string()), value: at(material) }
 }

@@ -51,6 +51,10 @@ pub fn form(ty: Type) -> String {
             let all: Vec<_> = words.all.iter().map(|(word, _)| *word).collect();
             format!("one of {}", all.join(", "))
         }
+        Type::CountOr(words) => {
+            let all: Vec<_> = words.all.iter().map(|(word, _)| *word).collect();
+            format!("whole number, or {}", all.join(", "))
+        }
         Type::OneOf(variants) => {
             let all: Vec<_> = variants.all.iter().map(|variant| variant.word).collect();
             format!("{}: one of {}", variants.name, all.join(", "))

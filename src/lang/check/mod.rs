@@ -179,6 +179,15 @@ impl<'a> Checker<'a> {
                     None
                 }
             },
+            Type::CountOr(words) => match &value.kind {
+                ValueKind::Word(_) => self.landed(value, &Type::Words(words), range, place),
+                ValueKind::Number { .. } => self.landed(value, &Type::Count, range, place),
+                _ => {
+                    let all = words.all.iter().map(|(word, _)| *word);
+                    mismatch(&super::errors::listed(["a whole number"].into_iter().chain(all), "or"));
+                    None
+                }
+            },
             Type::OneOf(variants) => self.one_of(value, variants, place),
             Type::Record(record) => match &value.kind {
                 ValueKind::Record(found) if found.word.is_none() && found.base.is_none() => {
@@ -359,7 +368,7 @@ impl<'a> Checker<'a> {
             Type::Number(dimension) => types::example(*dimension, range),
             Type::Spectrum(spectral) => types::example(spectral.dimension(), range),
             Type::Index => "1.5".into(),
-            Type::Count => "1".into(),
+            Type::Count | Type::CountOr(_) => "1".into(),
             Type::Switch => "on".into(),
             Type::Text => "\"…\"".into(),
             Type::File => "\"…\"".into(),

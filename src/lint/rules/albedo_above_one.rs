@@ -5,12 +5,10 @@ use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::math::Spectrum;
 use crate::optics::colour;
-use crate::scene::Material;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     for material in &shot.stage.scene.materials {
-        let Material::Diffuse(diffuse) = &material.value.value;
-        let albedo = &diffuse.albedo;
+        let Some(albedo) = material.value.reflectance() else { continue };
         let (most, label) = match &albedo.0 {
             Spectrum::Table(table) => {
                 let nodes = table.nodes().iter();

@@ -11,7 +11,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let boxes: Vec<_> = shot.things.iter().map(|thing| (thing, thing.bounds())).collect();
     for (i, (thing, bounds)) in boxes.iter().enumerate() {
         // Walls look inward, or shine, or have something between them: that is a room.
-        if thing.shines() || side(thing, bounds, eye) != Side::Behind {
+        if thing.shines() || thing.transmits() || side(thing, bounds, eye) != Side::Behind {
             continue;
         }
         let others =

@@ -3,15 +3,13 @@
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::optics::colour;
-use crate::scene::Material;
 
 /// A channel may be cut by so much, of 1: less is hard to see beside what was meant.
 const UNSEEN: f64 = 0.02;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     for material in &shot.stage.scene.materials {
-        let Material::Diffuse(diffuse) = &material.value.value;
-        let albedo = &diffuse.albedo;
+        let Some(albedo) = material.value.reflectance() else { continue };
         let moved = colour::cut(&albedo.0);
         if moved > UNSEEN {
             found.push(cut(&material.name.value, moved, colour::reflected(&albedo.0), albedo.span));

@@ -14,6 +14,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
             let fits = space.holds(bounds.min) && space.holds(bounds.max);
             let inside = |p| side(outer, space, p) != Side::Outside;
             !std::ptr::eq(*thing, *outer)
+                && !outer.transmits()
                 && fits
                 && bounds.corners().into_iter().all(inside)
                 && !inside(eye)

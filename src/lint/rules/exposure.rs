@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::optics::colour;
-use crate::scene::{Integrator, Light, Material};
+use crate::scene::Light;
 
 /// A surface that a light falls on straight may be so many times as bright as white: it is the
 /// lit parts of a dark scene then.
@@ -15,7 +15,7 @@ const DARKEST: f64 = 0.5 / 255.0 / 12.92;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let scene = &shot.stage.scene;
-    if !matches!(scene.integrator.value, Integrator::Direct(_)) {
+    if !scene.integrator.follows_light() {
         return;
     }
     let exposure = &scene.film.exposure;
@@ -25,15 +25,11 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let factor = stops.exp2();
     let most = |channels: [f64; 3]| channels.into_iter().fold(0.0, f64::max);
     let materials = || shot.things.iter().flat_map(|thing| &thing.materials);
-    let albedo = materials().map(|material| {
-        let Material::Diffuse(diffuse) = &material.value.value;
-        most(colour::reflected(&diffuse.albedo.0))
-    });
-    let albedo = albedo.fold(0.0, f64::max);
-    let lamps = materials().map(|material| {
-        let Material::Diffuse(diffuse) = &material.value.value;
-        most(colour::emitted(&diffuse.emission.0))
-    });
+    let scattering = materials().filter(|material| material.value.scatters());
+    let albedo = scattering.filter_map(|material| material.value.reflectance());
+    let albedo = albedo.map(|albedo| most(colour::reflected(&albedo.0))).fold(0.0, f64::max);
+    let lamps = materials().filter_map(|material| material.value.emission());
+    let lamps = lamps.map(|emission| most(colour::emitted(&emission.0)));
     // A lamp gives no surface more than if it filled all that the surface faces.
     let mut bound: f64 = lamps.map(|radiance| radiance * (1.0 + albedo)).sum();
     for light in &scene.lights {

@@ -4,15 +4,13 @@ use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::placed::{Body, Thing};
 use crate::lint::view::eye;
 use crate::lint::{Shot, everywhere};
-use crate::scene::{Integrator, Light};
+use crate::scene::Light;
 
 pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
     found.extend(everywhere(shots, |shot| {
         let scene = &shot.stage.scene;
-        let shadows = match &scene.integrator.value {
-            Integrator::Direct(direct) => direct.shadows.0,
-            Integrator::Preview(_) => false,
-        };
+        let integrator = &scene.integrator.value;
+        let shadows = integrator.follows_light() && integrator.shadows().is_ok();
         let lights = scene.lights.iter().filter_map(|light| match &light.value.value {
             Light::Directional(sun) if !sun.irradiance.0.is_zero() => Some((light, sun)),
             _ => None,

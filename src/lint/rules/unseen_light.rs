@@ -2,7 +2,7 @@
 
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::{Shot, everywhere};
-use crate::scene::{Integrator, Light, Material};
+use crate::scene::{Integrator, Light};
 
 pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
     found.extend(everywhere(shots, |shot| {
@@ -13,9 +13,8 @@ pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
             scene.lights.iter().filter(|light| matches!(light.value.value, Light::Directional(_)));
         let lights = lights.map(|light| (format!("light `{}`", *light.name), light.name.span));
         let shining = scene.materials.iter().filter_map(|material| {
-            let Material::Diffuse(diffuse) = &material.value.value;
-            let shines = !diffuse.emission.0.is_zero();
-            shines.then(|| ("emission".to_string(), diffuse.emission.span))
+            let emission = material.value.emission().filter(|emission| !emission.0.is_zero())?;
+            Some(("emission".to_string(), emission.span))
         });
         let told = |(what, at): (String, Span)| {
             (at, preview.then(|| unseen(&what, at, scene.integrator.span)))

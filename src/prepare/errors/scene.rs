@@ -165,3 +165,12 @@ pub fn nothing_shines(integrator: Span) -> Diagnostic {
     )
     .help("add a `light` of kind `directional`, or an object whose material has an `emission`")
 }
+
+/// A path that neither a depth nor a chance ends.
+pub fn endless_paths(depth: Span, roulette: Span) -> Diagnostic {
+    Diagnostic::error(Code::SCENE_ENDLESS_PATHS, "nothing ends the paths of light")
+        .label(depth, "as far as they go …")
+        .label(roulette, "… and none is ended by chance")
+        .why("Between surfaces that give light back, a path goes on for ever.")
+        .help("choose a `roulette`, which changes no picture but for its noise; or a depth")
+}

@@ -1,23 +1,33 @@
 //! Integrators: how the light that reaches the camera is computed. Each tells its algorithm in
 //! order, in one function.
 
+mod carrier;
 mod direct;
+mod lighting;
+mod path;
 mod preview;
+mod roulette;
 
-pub use direct::{AreaLights, Direct};
+pub use carrier::Carrier;
+pub use direct::{Ambient, Direct};
+pub use lighting::{AreaLights, Lighting};
+pub use path::{Path, Splits};
 pub use preview::Preview;
+pub use roulette::Roulette;
 
 use super::World;
 use super::film::Begun;
 use super::geometry::Ray;
 use super::samplers::Stream;
-use super::tiles::{self, Counts, Job, Sample};
+use super::tiles::{self, Counts, Job};
 
 /// How light is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Integrator {
-    /// From a lamp to a surface to the camera, and no further.
+    /// From a light to a surface to the camera, and no further.
     Direct(Direct),
+    /// All of it.
+    Path(Path),
     /// What is where.
     Preview(Preview),
 }
@@ -27,12 +37,15 @@ impl Integrator {
     /// that each integrator has a tile loop compiled for it.
     pub fn pass(&self, world: &World, job: &Job) -> Vec<Option<Begun>> {
         match self {
-            Self::Direct(direct) => tiles::pass(world, job, |ray, stream, counts| {
-                direct.radiance(world, ray, stream, counts)
+            Self::Direct(direct) => tiles::pass(world, job, |ray, stream, carrier| {
+                direct.radiance(world, ray, stream, carrier)
             }),
-            Self::Preview(preview) => {
-                tiles::pass(world, job, |ray, _: &mut Stream, _| preview.radiance(world, ray))
-            }
+            Self::Path(path) => tiles::pass(world, job, |ray, stream, carrier| {
+                path.radiance(world, ray, stream, carrier)
+            }),
+            Self::Preview(preview) => tiles::pass(world, job, |ray, _: &mut Stream, carrier| {
+                preview.radiance(world, ray, carrier)
+            }),
         }
     }
 }

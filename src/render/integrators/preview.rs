@@ -1,6 +1,7 @@
 //! What is where: colours, shaded by a light at the camera. No lamps, no shadows.
 
-use super::{Ray, Sample, World};
+use super::carrier::Carrier;
+use super::{Ray, World};
 
 /// The preview integrator.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,17 +10,16 @@ pub struct Preview;
 impl Preview {
     /// The colour of the surface times the cosine to the viewer, and what the surface or the
     /// background shines, so that lamps are seen for what they are.
-    pub fn radiance(&self, world: &World, ray: &Ray) -> Sample {
+    pub fn radiance(&self, world: &World, ray: &Ray, carrier: &mut Carrier) {
+        let trail = carrier.start();
         let Some(hit) = world.geometry.closest(ray) else {
-            return Sample { radiance: world.lights.background, object: None };
+            return carrier.add(trail, world.lights.seen(ray.direction));
         };
         let material = &world.materials[hit.material as usize];
         // One unit of radiance in the scene's own units, whatever the unit of light within.
         let headlight = (1.0 / world.light_unit) as f32;
-        let mut radiance = material.colour() * (headlight * hit.ns.dot(ray.direction).abs());
-        if hit.ng.dot(ray.direction) < 0.0 {
-            radiance += material.emission();
-        }
-        Sample { radiance, object: Some(hit.object) }
+        let shaded = material.colour() * (headlight * hit.ns.dot(ray.direction).abs());
+        carrier.object = Some(hit.object);
+        carrier.add(trail, shaded + material.emission(&hit, -ray.direction));
     }
 }

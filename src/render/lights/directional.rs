@@ -17,6 +17,6 @@ pub struct Directional {
 impl Directional {
     pub(super) fn arrive(&self, at: &Point) -> Arrival {
         let shadow = Ray::new(at.leave(self.to_light), self.to_light);
-        Arrival { wi: self.to_light, irradiance: self.irradiance, shadow }
+        Arrival { wi: self.to_light, irradiance: self.irradiance, pdf_w: 0.0, shadow }
     }
 }

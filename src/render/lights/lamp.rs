@@ -2,14 +2,16 @@
 
 use glam::{DVec3, Vec2, Vec3};
 
-use super::{Arrival, Geometry, Point};
+use super::{Arrival, Geometry, Hit, Point, Site};
 use crate::math::{Rgb, random};
 use crate::render::geometry::{Primitive, between};
 
-/// Surfaces that shine from their front, with the same radiance everywhere.
+/// Surfaces that shine with the same radiance everywhere.
 #[derive(Clone, Debug)]
 pub struct Lamp {
     radiance: Rgb,
+    /// Whether the backs shine as well.
+    both: bool,
     surfaces: Vec<Primitive>,
     /// Area up to and including each surface, in square world units. Ascending.
     areas: Vec<f64>,
@@ -25,9 +27,10 @@ pub struct Centre {
 }
 
 impl Lamp {
-    /// A lamp over `surfaces` of positive, finite area. `radiance` in light units.
+    /// A lamp over `surfaces` of positive, finite area. Its radiance in light units, and whether
+    /// both sides have it.
     pub fn new(
-        radiance: Rgb,
+        (radiance, both): (Rgb, bool),
         surfaces: Vec<Primitive>,
         geometry: &Geometry,
         centre: Centre,
@@ -38,7 +41,7 @@ impl Lamp {
             total
         };
         let areas = surfaces.iter().map(grow).collect();
-        Self { radiance, surfaces, areas, centre }
+        Self { radiance, both, surfaces, areas, centre }
     }
 
     /// Area of all surfaces, in square world units.
@@ -76,12 +79,22 @@ impl Lamp {
         let distance_2 = way.length_squared();
         let wi = way.try_normalize()?;
         let cos = -wi.dot(to.ng.as_dvec3());
+        let cos = if self.both { cos.abs() } else { cos };
         if cos <= 0.0 {
             return None;
         }
         let solid_angle = self.area() * cos / distance_2;
         let irradiance = self.radiance * solid_angle as f32;
-        Some(Arrival { wi: wi.as_vec3(), irradiance, shadow: between(at, to) })
+        let pdf_w = (1.0 / solid_angle) as f32;
+        Some(Arrival { wi: wi.as_vec3(), irradiance, pdf_w, shadow: between(at, to) })
+    }
+
+    /// Density with which `sample` gives the direction in which a ray from `site` met the lamp.
+    pub(super) fn pdf_w(&self, _geometry: &Geometry, site: &Site, hit: &Hit) -> f32 {
+        let way = hit.position.as_dvec3() - site.point.position.as_dvec3();
+        let distance_2 = way.length_squared();
+        let cos = (way.dot(hit.ng.as_dvec3())).abs() / distance_2.sqrt();
+        (distance_2 / (self.area() * cos)) as f32
     }
 }
 

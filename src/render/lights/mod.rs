@@ -1,32 +1,53 @@
 //! Lights: what shines on a point, and from where.
+//!
+//! A light is asked for one of its points or directions ([`Light::sample`]), and tells with which
+//! density it would have given one that was found in another way ([`Light::pdf_w`],
+//! [`Surroundings::pdf_w`]): the two must agree, for paths weigh them against each other.
 
 mod directional;
 mod lamp;
+mod surroundings;
 
 pub use directional::Directional;
 pub use lamp::{Centre, Lamp};
+pub use surroundings::{Sight, Surroundings};
 
 use glam::Vec3;
 
-use super::geometry::{Geometry, Point, Ray};
+use super::geometry::{Geometry, Hit, Point, Ray};
+use super::materials::Bsdf;
 use crate::math::Rgb;
 
 /// Everything that shines.
 #[derive(Clone, Debug, Default)]
 pub struct Lights {
-    /// Radiance from everywhere around the scene, in light units: seen where a ray meets nothing.
-    pub background: Rgb,
-    /// What is sampled, in a fixed order.
+    /// What is asked, in a fixed order.
     pub all: Vec<Light>,
+    /// What a ray sees that meets nothing.
+    pub surroundings: Vec<Surroundings>,
+    /// By number of the material: the light of the surfaces that have it, [`Lights::NONE`] for
+    /// none. A material that shines belongs to one object.
+    pub of_materials: Vec<u32>,
 }
 
-/// A light that can be sampled.
+/// A light that can be asked.
 #[derive(Clone, Debug)]
 pub enum Light {
     /// Parallel light from infinitely far away.
     Directional(Directional),
     /// A surface that shines.
     Lamp(Lamp),
+    /// What surrounds the scene.
+    Surroundings(Surroundings),
+}
+
+/// A point that asks for light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Site {
+    /// Where.
+    pub point: Point,
+    /// Shading normal on the side from which light counts; zero if it counts from both.
+    pub normal: Vec3,
 }
 
 /// Light that arrives at a point if nothing is in its way.
@@ -37,24 +58,89 @@ pub struct Arrival {
     /// Irradiance on a surface square to `wi`, in light units; of a sampled light, the estimate:
     /// radiance over the sample's density in solid angle.
     pub irradiance: Rgb,
+    /// That density; 0 of a light that nothing else can find, since it has no extent.
+    pub pdf_w: f32,
     /// Meets what is in the way.
     pub shadow: Ray,
 }
 
+impl Site {
+    /// Where a surface is met.
+    pub fn new(hit: &Hit, bsdf: &Bsdf) -> Self {
+        Self { point: hit.point(), normal: bsdf.side() }
+    }
+
+    /// On no surface.
+    pub fn free(position: Vec3) -> Self {
+        Self { point: Point::free(position), normal: Vec3::ZERO }
+    }
+}
+
 impl Light {
     /// Light from one point of it, chosen by `u` in [0, 1)².
-    pub fn sample(&self, geometry: &Geometry, at: &Point, u: [f64; 2]) -> Option<Arrival> {
+    pub fn sample(&self, geometry: &Geometry, site: &Site, u: [f64; 2]) -> Option<Arrival> {
         match self {
-            Self::Directional(directional) => Some(directional.arrive(at)),
-            Self::Lamp(lamp) => lamp.sample(geometry, at, u),
+            Self::Directional(directional) => Some(directional.arrive(&site.point)),
+            Self::Lamp(lamp) => lamp.sample(geometry, &site.point, u),
+            Self::Surroundings(surroundings) => surroundings.sample(site, u),
         }
     }
 
-    /// All its light as if it came from its centre.
-    pub fn at_centre(&self, at: &Point) -> Option<Arrival> {
+    /// All its light as if it came from its centre, of those that have one.
+    pub fn at_centre(&self, geometry: &Geometry, site: &Site) -> Option<Arrival> {
         match self {
-            Self::Directional(directional) => Some(directional.arrive(at)),
-            Self::Lamp(lamp) => lamp.at_centre(at),
+            Self::Lamp(lamp) => lamp.at_centre(&site.point),
+            other => other.sample(geometry, site, [0.5; 2]),
         }
+    }
+
+    /// Density with which `sample` gives the direction in which a ray from `site` met this light.
+    pub fn pdf_w(&self, geometry: &Geometry, site: &Site, hit: &Hit) -> f32 {
+        match self {
+            Self::Lamp(lamp) => lamp.pdf_w(geometry, site, hit),
+            // They are no surface.
+            Self::Directional(_) | Self::Surroundings(_) => 0.0,
+        }
+    }
+}
+
+impl Lights {
+    /// Stands for no light.
+    pub const NONE: u32 = u32::MAX;
+
+    /// A light chosen by importance for a site, and the probability of that. `u` in [0, 1).
+    pub fn choose(&self, _site: &Site, u: f64) -> Option<(usize, f32)> {
+        let count = self.all.len();
+        let number = ((u * count as f64) as usize).min(count.checked_sub(1)?);
+        Some((number, 1.0 / count as f32))
+    }
+
+    /// The probability with which [`Lights::choose`] gives this light.
+    pub fn pmf(&self, _site: &Site, _light: usize) -> f32 {
+        1.0 / self.all.len() as f32
+    }
+
+    /// The light that surfaces of a material are.
+    pub fn of_material(&self, material: u32) -> Option<usize> {
+        let number = *self.of_materials.get(material as usize)?;
+        (number != Self::NONE).then_some(number as usize)
+    }
+
+    /// Radiance along a ray that meets nothing, in light units.
+    pub fn seen(&self, direction: Vec3) -> Rgb {
+        self.sum(direction, |_| true)
+    }
+
+    /// The part of it that is not asked for.
+    pub fn ambient(&self, direction: Vec3) -> Rgb {
+        self.sum(direction, |light| light.asked.is_none())
+    }
+
+    fn sum(&self, direction: Vec3, counts: impl Fn(&Surroundings) -> bool) -> Rgb {
+        let mut sum = Rgb::BLACK;
+        for light in self.surroundings.iter().filter(|light| counts(light)) {
+            sum += light.radiance(direction);
+        }
+        sum
     }
 }

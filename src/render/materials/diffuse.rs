@@ -2,26 +2,32 @@
 
 use std::f32::consts::FRAC_1_PI;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
-use crate::math::Rgb;
+use super::{Event, Facing, Scattered};
+use crate::math::{Rgb, random, warp};
 use crate::render::geometry::Hit;
 
-/// A diffuse surface; its front side may be a lamp.
+/// A diffuse surface, which may be a lamp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Diffuse {
     /// The part of the light that is scattered back, on either side.
     pub albedo: Rgb,
-    /// Radiance of the front side, in light units.
+    /// Radiance that it shines of itself, in light units.
     pub emission: Rgb,
+    /// Whether its back shines as well as its front.
+    pub both: bool,
 }
 
 impl Diffuse {
-    /// The surface at a hit, seen from `wo`.
-    pub(super) fn at(&self, hit: &Hit, wo: Vec3) -> Lambert {
-        // Seen from behind, the surface is shaded as if it were turned round.
-        let side = if hit.ng.dot(wo) >= 0.0 { 1.0 } else { -1.0 };
-        Lambert { albedo: self.albedo, ng: side * hit.ng, ns: side * hit.ns }
+    /// What a hit shines towards `wo`.
+    pub(super) fn emission(&self, hit: &Hit, wo: Vec3) -> Rgb {
+        if self.both || hit.ng.dot(wo) > 0.0 { self.emission } else { Rgb::BLACK }
+    }
+
+    /// The surface at a hit.
+    pub(super) fn at(&self, facing: Facing) -> Lambert {
+        Lambert { albedo: self.albedo, ng: facing.ng, ns: facing.ns }
     }
 }
 
@@ -45,6 +51,29 @@ impl Lambert {
     pub(super) fn faces(&self, wi: Vec3) -> bool {
         self.ng.dot(wi) > 0.0
     }
+
+    pub(super) fn side(&self) -> Vec3 {
+        self.ns
+    }
+
+    /// By the cosine to the shading normal; None below the surface, or black.
+    pub(super) fn sample(&self, u: [f64; 2]) -> Option<Scattered> {
+        let local = warp::square_to_cosine(Vec2::from_array(u.map(random::unit_f32)));
+        let wi = warp::about(self.ns, local);
+        let pdf_w = self.pdf_w(wi);
+        (pdf_w > 0.0 && self.faces(wi) && !self.albedo.is_black()).then_some(Scattered {
+            wi,
+            weight: self.albedo,
+            squeeze: 1.0,
+            pdf_w,
+            event: Event::DiffuseReflection,
+        })
+    }
+
+    /// cos θ/π.
+    pub(super) fn pdf_w(&self, wi: Vec3) -> f32 {
+        FRAC_1_PI * self.ns.dot(wi).max(0.0)
+    }
 }
 
 #[cfg(test)]
@@ -66,7 +95,7 @@ mod tests {
 
     #[test]
     fn light_is_weighed_at_the_shading_normal_and_hidden_by_the_surface_itself() {
-        let diffuse = Diffuse { albedo: Rgb::grey(0.5), emission: Rgb::BLACK };
+        let diffuse = Diffuse { albedo: Rgb::grey(0.5), emission: Rgb::BLACK, both: false };
         let hit = tilted();
         let cases = [
             // Above both.
@@ -78,12 +107,12 @@ mod tests {
             (Vec3::new(0.96, 0.0, -0.28), 0.352, false),
         ];
         for (wi, cos, faces) in cases {
-            let above = diffuse.at(&hit, Vec3::Z);
+            let above = diffuse.at(Facing::new(&hit, Vec3::Z));
             let scattered = above.scattered(wi).g;
             assert!((scattered - 0.5 * FRAC_1_PI * cos).abs() < 1e-6, "{wi}: {scattered}");
             assert_eq!(above.faces(wi), faces);
             // From behind everything is as if the surface were turned round.
-            let behind = diffuse.at(&hit, Vec3::NEG_Z);
+            let behind = diffuse.at(Facing::new(&hit, Vec3::NEG_Z));
             assert_eq!((behind.scattered(-wi).g, behind.faces(-wi)), (scattered, faces));
         }
     }

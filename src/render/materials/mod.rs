@@ -1,40 +1,66 @@
 //! Materials: what a surface does with light, and what it becomes at a hit.
+//!
+//! A material is asked once a hit ([`Material::at`]) for its BSDF there, seen from `wo`. All
+//! directions point away from the surface. Weights are of radiance that goes from `wi` to `wo`.
 
+mod conductor;
+mod dielectric;
 mod diffuse;
+mod facing;
+mod mirror;
 
+pub use conductor::{Conductor, Metal};
+pub use dielectric::{Dielectric, Interface};
 pub use diffuse::{Diffuse, Lambert};
+pub use mirror::{Mirror, Reflector};
 
+use facing::Facing;
 use glam::Vec3;
 
 use super::geometry::Hit;
 use crate::math::Rgb;
+use crate::math::paths::Event;
 
 /// A surface's material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Material {
+    /// Smooth metal.
+    Conductor(Conductor),
+    /// A smooth surface of clear matter.
+    Dielectric(Dielectric),
     /// Lambert's.
     Diffuse(Diffuse),
+    /// A perfect mirror.
+    Mirror(Mirror),
 }
 
 impl Material {
-    /// The radiance the front side shines of itself.
-    pub fn emission(&self) -> Rgb {
+    /// The radiance that a hit shines of itself towards `wo`, in light units.
+    pub fn emission(&self, hit: &Hit, wo: Vec3) -> Rgb {
         match self {
-            Self::Diffuse(diffuse) => diffuse.emission,
+            Self::Diffuse(diffuse) => diffuse.emission(hit, wo),
+            Self::Conductor(_) | Self::Dielectric(_) | Self::Mirror(_) => Rgb::BLACK,
         }
     }
 
     /// The colour of the surface, for a picture that shows what is where.
     pub fn colour(&self) -> Rgb {
         match self {
+            Self::Conductor(conductor) => conductor.colour(),
+            Self::Dielectric(_) => Rgb::grey(0.8),
             Self::Diffuse(diffuse) => diffuse.albedo,
+            Self::Mirror(mirror) => mirror.reflectance,
         }
     }
 
     /// What the material is at a hit, seen from `wo`, which points away from the surface.
     pub fn at(&self, hit: &Hit, wo: Vec3) -> Bsdf {
+        let facing = Facing::new(hit, wo);
         match self {
-            Self::Diffuse(diffuse) => Bsdf::Lambert(diffuse.at(hit, wo)),
+            Self::Conductor(conductor) => Bsdf::Metal(conductor.at(facing)),
+            Self::Dielectric(dielectric) => Bsdf::Interface(dielectric.at(facing)),
+            Self::Diffuse(diffuse) => Bsdf::Lambert(diffuse.at(facing)),
+            Self::Mirror(mirror) => Bsdf::Reflector(mirror.at(facing)),
         }
     }
 }
@@ -42,16 +68,51 @@ impl Material {
 /// How the surface at a hit scatters light.
 #[derive(Clone, Copy, Debug)]
 pub enum Bsdf {
+    /// Clear matter.
+    Interface(Interface),
     /// Lambert's.
     Lambert(Lambert),
+    /// Smooth metal.
+    Metal(Metal),
+    /// A perfect mirror.
+    Reflector(Reflector),
+}
+
+/// A part of what a surface does with light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of it.
+    All,
+    /// What goes to all sides.
+    Scattering,
+    /// What goes in one direction alone, or two.
+    Specular,
+}
+
+/// A direction from which light comes that a surface sends to the viewer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scattered {
+    /// Unit length, away from the surface.
+    pub wi: Vec3,
+    /// The BSDF times the cosine over the density of the direction; of a direction that is the
+    /// only one, the part of the light that goes there over the probability of the choice.
+    pub weight: Rgb,
+    /// Factor of radiance that comes from matter of another index, which has it squeezed into
+    /// less solid angle; the weight lacks it.
+    pub squeeze: f32,
+    /// Density in solid angle; 0 of a direction that is the only one.
+    pub pdf_w: f32,
+    /// What happened.
+    pub event: Event,
 }
 
 impl Bsdf {
     /// The BSDF towards the viewer of light from `wi`, times the cosine at the shading normal,
-    /// in 1/sr.
+    /// in 1/sr; without specular parts.
     pub fn scattered(&self, wi: Vec3) -> Rgb {
         match self {
             Self::Lambert(lambert) => lambert.scattered(wi),
+            Self::Interface(_) | Self::Metal(_) | Self::Reflector(_) => Rgb::BLACK,
         }
     }
 
@@ -61,6 +122,60 @@ impl Bsdf {
     pub fn faces(&self, wi: Vec3) -> bool {
         match self {
             Self::Lambert(lambert) => lambert.faces(wi),
+            Self::Interface(_) | Self::Metal(_) | Self::Reflector(_) => false,
+        }
+    }
+
+    /// What happens to light that it scatters to all sides, if it does.
+    pub fn scatters(&self) -> Option<Event> {
+        match self {
+            Self::Lambert(_) => Some(Event::DiffuseReflection),
+            Self::Interface(_) | Self::Metal(_) | Self::Reflector(_) => None,
+        }
+    }
+
+    /// Whether some light goes in one direction alone.
+    pub fn is_specular(&self) -> bool {
+        matches!(self, Self::Interface(_) | Self::Metal(_) | Self::Reflector(_))
+    }
+
+    /// Shading normal on the side from which light counts that is scattered; zero if it counts
+    /// from both.
+    pub fn side(&self) -> Vec3 {
+        match self {
+            Self::Lambert(lambert) => lambert.side(),
+            Self::Interface(_) | Self::Metal(_) | Self::Reflector(_) => Vec3::ZERO,
+        }
+    }
+
+    /// A direction for light to come from, by `u` in [0, 1)⁴: the first two choose it, the third
+    /// the part of the BSDF, the fourth is not used. None: it brings nothing.
+    pub fn sample(&self, part: Part, u: [f64; 4]) -> Option<Scattered> {
+        match (self, part) {
+            (Self::Lambert(_), Part::Specular) => None,
+            (Self::Lambert(lambert), _) => lambert.sample([u[0], u[1]]),
+            (_, Part::Scattering) => None,
+            (Self::Interface(interface), _) => interface.sample(u[2]),
+            (Self::Metal(metal), _) => metal.reflected(),
+            (Self::Reflector(reflector), _) => reflector.reflected(),
+        }
+    }
+
+    /// Density in solid angle with which `sample` gives a direction; without specular ones.
+    pub fn pdf_w(&self, part: Part, wi: Vec3) -> f32 {
+        match (self, part) {
+            (Self::Lambert(lambert), Part::All | Part::Scattering) => lambert.pdf_w(wi),
+            _ => 0.0,
+        }
+    }
+
+    /// All directions that are the only ones: each with the part of the light that goes there.
+    pub fn specular(&self) -> [Option<Scattered>; 2] {
+        match self {
+            Self::Lambert(_) => [None, None],
+            Self::Interface(interface) => [interface.reflected(), interface.refracted()],
+            Self::Metal(metal) => [metal.reflected(), None],
+            Self::Reflector(reflector) => [reflector.reflected(), None],
         }
     }
 }

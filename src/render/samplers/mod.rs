@@ -1,6 +1,6 @@
 //! Samplers: streams of random numbers. Each is a pure function of (seed, pixel, sample,
-//! dimension). Numbers come in pairs; the two of a pair, for `sobol` those of two pairs, are spread
-//! evenly together, pairs among each other are not (padding: an independent shuffle each).
+//! dimension). Numbers come in fours, which are spread evenly together: by `sobol` all four, by
+//! `stratified` two and two. Fours among each other are not (padding: an independent shuffle each).
 
 use serde::{Deserialize, Serialize};
 
@@ -62,23 +62,20 @@ impl Sampler {
     /// crop sees the numbers the whole picture sees.
     pub fn stream(&self, seed: u64, pixel: u64, sample: u64) -> Stream {
         let pixel = random::at(random::mix(seed), pixel);
-        match *self {
-            Self::Independent => {
-                Stream { place: random::at(pixel, sample), dimension: 0, spread: Spread::None }
-            }
-            Self::Sobol { round } => {
-                let index = (sample % u64::from(round)) as u32;
-                let place = random::at(!pixel, sample / u64::from(round));
-                Stream { place, dimension: 0, spread: Spread::Sobol { index, next: [0.0; 2] } }
+        let own = random::at(pixel, sample);
+        let round = |length: u64| (random::at(!pixel, sample / length), (sample % length) as u32);
+        let spread = match *self {
+            Self::Independent => Spread::None,
+            Self::Sobol { round: length } => {
+                let (round, index) = round(u64::from(length));
+                Spread::Sobol { round, index }
             }
             Self::Stratified { grid } => {
-                let cells = u64::from(grid) * u64::from(grid);
-                let index = (sample % cells) as u32;
-                let strata = Strata { grid, index, round: random::at(!pixel, sample / cells) };
-                let spread = Spread::Strata(strata);
-                Stream { place: random::at(pixel, sample), dimension: 0, spread }
+                let (round, index) = round(u64::from(grid) * u64::from(grid));
+                Spread::Strata(Strata { grid, index, round })
             }
-        }
+        };
+        Stream { own, dimension: 0, spread }
     }
 }
 
@@ -88,10 +85,10 @@ enum Spread {
     None,
     Strata(Strata),
     Sobol {
+        /// The round: it chooses the scrambles, anew for every dimension.
+        round: u64,
         /// Which sample of the round it is.
         index: u32,
-        /// The second pair of the last two.
-        next: [f64; 2],
     },
 }
 
@@ -105,10 +102,11 @@ struct Strata {
     round: u64,
 }
 
-/// The numbers of one sample, taken one dimension after the other.
+/// The numbers of one sample, taken one dimension after the other. A dimension has four numbers.
 #[derive(Clone, Debug)]
 pub struct Stream {
-    place: u64,
+    /// Of this sample alone.
+    own: u64,
     dimension: u64,
     spread: Spread,
 }
@@ -116,26 +114,77 @@ pub struct Stream {
 impl Stream {
     /// The next two numbers, uniform in [0, 1)².
     pub fn pair(&mut self) -> [f64; 2] {
+        let [a, b, ..] = self.four();
+        [a, b]
+    }
+
+    /// The next four numbers, uniform in [0, 1)⁴.
+    pub fn four(&mut self) -> [f64; 4] {
+        self.fan(1).four(0)
+    }
+
+    /// The next numbers for so many rays that go on side by side: four for each of them. What is
+    /// not asked for costs nothing.
+    pub fn fan(&mut self, count: u32) -> Fan {
         let dimension = self.dimension;
         self.dimension += 1;
-        let at = |dimension| random::at(self.place, dimension);
-        let Strata { grid, index, round } = match &mut self.spread {
-            Spread::None => return random::unit_pair(at(dimension)),
-            Spread::Strata(strata) => *strata,
-            Spread::Sobol { index, next } => {
-                if dimension % 2 == 1 {
-                    return *next;
+        Fan { own: self.own, dimension, spread: self.spread, count }
+    }
+}
+
+/// So many dimensions are spread evenly. Those beyond are hashes, which are quicker: what they
+/// decide is too far from the camera for their spread to matter.
+const LEADING: u64 = 8;
+
+/// sobol_burley knows no points beyond.
+const MOST_POINTS: u64 = 1 << 16;
+
+/// Numbers for several rays of one sample that go on side by side: spread evenly among each other
+/// and among those of other samples.
+#[derive(Clone, Copy, Debug)]
+pub struct Fan {
+    own: u64,
+    dimension: u64,
+    spread: Spread,
+    count: u32,
+}
+
+impl Fan {
+    /// The four numbers of the `nth`, uniform in [0, 1)⁴.
+    #[inline]
+    pub fn four(&self, nth: u32) -> [f64; 4] {
+        debug_assert!(nth < self.count);
+        let place = self.dimension | u64::from(nth) << 32;
+        let leading = self.dimension < LEADING;
+        match self.spread {
+            Spread::Sobol { round, index } if leading => {
+                let point = u64::from(index) * u64::from(self.count) + u64::from(nth);
+                if point < MOST_POINTS {
+                    let scramble = random::at(round, self.dimension) as u32;
+                    return sobol_burley::sample_4d(point as u32, 0, scramble).map(f64::from);
                 }
-                let [a, b, c, d] =
-                    sobol_burley::sample_4d(*index, 0, at(dimension) as u32).map(f64::from);
-                *next = [c, d];
-                return [a, b];
             }
-        };
-        let [x, y] = random::unit_pair(at(dimension));
-        let cell = random::shuffled(index, grid * grid, random::at(round, dimension));
-        let side = f64::from(grid);
-        [(f64::from(cell % grid) + x) / side, (f64::from(cell / grid) + y) / side]
+            Spread::Strata(strata) if leading => {
+                let bits = random::at(self.own, place);
+                let order = random::at(strata.round, place);
+                let [a, b] = strata.jittered(random::unit_pair(bits), order);
+                let [c, d] = strata.jittered(random::unit_pair(random::mix(bits)), !order);
+                return [a, b, c, d];
+            }
+            _ => {}
+        }
+        let bits = random::at(self.own, place);
+        let ([a, b], [c, d]) = (random::unit_pair(bits), random::unit_pair(random::mix(bits)));
+        [a, b, c, d]
+    }
+}
+
+impl Strata {
+    /// Two numbers moved into the cell of the square that is this sample's turn.
+    fn jittered(&self, [x, y]: [f64; 2], key: u64) -> [f64; 2] {
+        let cell = random::shuffled(self.index, self.grid * self.grid, key);
+        let side = f64::from(self.grid);
+        [(f64::from(cell % self.grid) + x) / side, (f64::from(cell / self.grid) + y) / side]
     }
 }
 
@@ -230,6 +279,42 @@ mod tests {
     }
 
     #[test]
+    fn numbers_beyond_the_leading_ones_are_uniform_and_of_each_sample_alone() {
+        for sampler in [Sampler::Independent, STRATIFIED, SOBOL] {
+            let mut counts = vec![0; 256];
+            let at = |sample| {
+                let mut stream = sampler.stream(2, 9, sample);
+                (0..LEADING + 1).for_each(|_| _ = stream.fan(1));
+                let [_, b, c, _] = stream.fan(3).four((sample % 3) as u32);
+                bin([b, c], 4)
+            };
+            (0..40_000).for_each(|i| counts[at(2 * i) * 16 + at(2 * i + 1)] += 1);
+            chi_squared::assert_fits(&counts, &[1.0 / 256.0; 256]);
+        }
+    }
+
+    #[test]
+    fn those_that_go_on_side_by_side_are_spread_like_as_many_samples() {
+        // 16 samples of 4 each: a round of 64 points, which fill 8 × 8 cells.
+        for pixel in 0..5 {
+            let mut seen = [false; 64];
+            for sample in 0..16 {
+                let fan = SOBOL.stream(1, pixel, sample).fan(4);
+                (0..4).for_each(|nth| {
+                    let [a, b, ..] = fan.four(nth);
+                    seen[bin([a, b], 8)] = true;
+                });
+            }
+            assert_eq!(seen, [true; 64]);
+        }
+        // Too many for the points there are: plain numbers, and none twice.
+        let fan = Sampler::Sobol { round: 65_536 }.stream(1, 0, 60_000).fan(1024);
+        let firsts: std::collections::BTreeSet<u64> =
+            (0..1024).map(|nth| fan.four(nth)[0].to_bits()).collect();
+        assert_eq!(firsts.len(), 1024);
+    }
+
+    #[test]
     fn evenly_spread_samples_err_less() {
         // Root mean square error of the area of a quarter disk, and of a smooth product of two
         // pairs, by 64 samples: against independent ones.
@@ -237,9 +322,8 @@ mod tests {
             let pixels = 2000;
             let of_pixel = |pixel: u64| {
                 let sample = |i: u64| {
-                    let mut stream = sampler.stream(7, pixel, i);
-                    let first = stream.pair();
-                    value(first, stream.pair())
+                    let [a, b, c, d] = sampler.stream(7, pixel, i).four();
+                    value([a, b], [c, d])
                 };
                 ((0..64).map(sample).sum::<f64>() / 64.0 - truth).powi(2)
             };

@@ -1,0 +1,112 @@
+//! Next-event estimation: lights are asked at a point, each for one or several of its points.
+
+use super::{Counts, Stream, World};
+use crate::math::Rgb;
+use crate::render::lights::{Arrival, Light, Site};
+use crate::render::materials::Bsdf;
+
+/// How lights are asked at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lighting {
+    /// How many lights: None for all, or so many that are chosen by importance.
+    pub chosen: Option<u32>,
+    /// Points of each of them, 1 or more.
+    pub points: u32,
+    /// Whether surfaces hide lights.
+    pub shadows: bool,
+    /// Whether lights take random numbers. Where none needs them the picture is the same without.
+    pub numbers: bool,
+    /// Which points of a lamp with an area shine.
+    pub area_lights: AreaLights,
+}
+
+/// Which points of a lamp with an area shine on a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AreaLights {
+    /// Its centre alone.
+    Center,
+    /// A random point for every sample.
+    Random,
+}
+
+impl Lighting {
+    /// Radiance that the surface scatters to the viewer of what all lights send, in light units.
+    /// `weigh` is told the density of each direction, times the samples that are taken by it (0
+    /// where no other way could find it), and answers with the part that counts.
+    pub fn scattered(
+        &self,
+        world: &World,
+        (site, bsdf): (&Site, &Bsdf),
+        stream: &mut Stream,
+        counts: &mut Counts,
+        weigh: impl Fn(&Arrival, f32) -> f32,
+    ) -> Rgb {
+        let mut sum = Rgb::BLACK;
+        let mut ask = |light: &Light, taken: f32, u: [f64; 2]| {
+            let arrival = match self.area_lights {
+                AreaLights::Center => light.at_centre(&world.geometry, site),
+                AreaLights::Random => light.sample(&world.geometry, site, u),
+            };
+            let Some(arrival) = arrival else { return };
+            let scattered = bsdf.scattered(arrival.wi) * arrival.irradiance;
+            if scattered.is_black() {
+                return;
+            }
+            if self.shadows {
+                // A surface hides first of all what is behind itself.
+                if !bsdf.faces(arrival.wi) {
+                    return;
+                }
+                counts.shadow_rays += 1;
+                if world.geometry.occluded(&arrival.shadow) {
+                    return;
+                }
+            }
+            sum += scattered * (weigh(&arrival, taken * arrival.pdf_w) / taken);
+        };
+        // Every light takes its numbers, whether they are needed or not, so that the numbers of
+        // the next do not depend on where the ray went.
+        match self.chosen {
+            None => {
+                for light in &world.lights.all {
+                    let fan = stream.fan(self.points);
+                    for nth in 0..self.points {
+                        let [u, v, ..] = if self.numbers { fan.four(nth) } else { [0.0; 4] };
+                        ask(light, self.points as f32, [u, v]);
+                    }
+                }
+            }
+            Some(chosen) => {
+                let fan = stream.fan(chosen * self.points);
+                for choice in 0..chosen {
+                    let [u, v, c, _] = fan.four(choice * self.points);
+                    let c = (f64::from(choice) + c) / f64::from(chosen);
+                    let Some((number, pmf)) = world.lights.choose(site, c) else { continue };
+                    let light = &world.lights.all[number];
+                    let taken = self.taken(pmf);
+                    ask(light, taken, [u, v]);
+                    for nth in 1..self.points {
+                        let [u, v, ..] = fan.four(choice * self.points + nth);
+                        ask(light, taken, [u, v]);
+                    }
+                }
+            }
+        }
+        sum
+    }
+
+    /// The density with which a light's direction is chosen, times the samples that are taken by
+    /// it: of the light of that number, with that density of its own.
+    pub fn density(&self, world: &World, site: &Site, light: usize, pdf_w: f32) -> f32 {
+        let pmf = if self.chosen.is_some() { world.lights.pmf(site, light) } else { 1.0 };
+        self.taken(pmf) * pdf_w
+    }
+
+    /// How many samples a light gets on average.
+    fn taken(&self, pmf: f32) -> f32 {
+        match self.chosen {
+            None => self.points as f32,
+            Some(chosen) => (chosen * self.points) as f32 * pmf,
+        }
+    }
+}

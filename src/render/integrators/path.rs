@@ -1,0 +1,195 @@
+//! All light, however often it was scattered: paths from the camera [Kajiya86], with next-event
+//! estimation and multiple importance sampling [Veach95].
+
+use super::carrier::{Branch, Carrier};
+use super::lighting::Lighting;
+use super::roulette::Roulette;
+use super::{Ray, Stream, World};
+use crate::render::geometry::Hit;
+use crate::render::lights::Site;
+use crate::render::materials::{Bsdf, Part};
+
+/// The path tracer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Path {
+    /// How lights are asked, if they are; else paths find lamps by chance alone.
+    pub lighting: Option<Lighting>,
+    /// Whether the two ways to find a lamp are weighed against each other. If not, a light that
+    /// is asked counts by that alone.
+    pub mis: bool,
+    /// Where a path goes on as several.
+    pub splits: Splits,
+    /// By what chance a path goes on.
+    pub roulette: Roulette,
+    /// Surfaces before paths may be ended.
+    pub roulette_after: u32,
+    /// How often light is scattered at most, mirrors, glass and metal included.
+    pub depth: u32,
+}
+
+/// Where a path goes on as several.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Splits {
+    /// The first so many mirrors, panes of glass and metals: by all ways on.
+    pub specular: u32,
+    /// The first so many surfaces that scatter: by `rays`.
+    pub diffuse: u32,
+    /// How many, 1 or more.
+    pub rays: u32,
+}
+
+/// The power heuristic, with the square [Veach95, ch. 9]: the part of one way to find light that is
+/// found with density `a`, and by another way with density `b`.
+fn power(a: f32, b: f32) -> f32 {
+    // By the ratio: squares of large densities have no place in f32.
+    if a > b { 1.0 / (1.0 + (b / a).powi(2)) } else { (a / b).powi(2) / (1.0 + (a / b).powi(2)) }
+}
+
+impl Path {
+    /// Radiance along the ray.
+    pub fn radiance(&self, world: &World, ray: &Ray, stream: &mut Stream, carrier: &mut Carrier) {
+        let trail = carrier.start();
+        carrier.waiting.push(Branch::first(ray, trail));
+        while let Some(branch) = carrier.waiting.pop() {
+            let Some(hit) = world.geometry.closest(&branch.ray) else {
+                self.escaped(world, &branch, carrier);
+                continue;
+            };
+            let surfaces = branch.scattered + branch.mirrored;
+            if surfaces == 0 {
+                carrier.object = Some(hit.object);
+            }
+            let material = &world.materials[hit.material as usize];
+            let emission = material.emission(&hit, -branch.ray.direction);
+            if !emission.is_black() {
+                let weight = self.weight_of_met(world, &branch, &hit);
+                carrier.add(branch.trail, branch.throughput * emission * weight);
+            }
+            if surfaces >= self.depth {
+                continue;
+            }
+            let bsdf = material.at(&hit, -branch.ray.direction);
+            let split = self.split(&branch, &bsdf);
+            if let (Some(lighting), Some(event)) = (&self.lighting, bsdf.scatters()) {
+                let site = Site::new(&hit, &bsdf);
+                let counts = &mut carrier.counts;
+                let lit = lighting.scattered(world, (&site, &bsdf), stream, counts, |light, taken| {
+                    // No other way finds it, or none is to count.
+                    if taken == 0.0 || !self.mis {
+                        return 1.0;
+                    }
+                    power(taken, split.rays as f32 * bsdf.pdf_w(split.part, light.wi))
+                });
+                let trail = carrier.after(branch.trail, event);
+                carrier.add(trail, branch.throughput * lit);
+            }
+            self.go_on(&branch, &hit, (&bsdf, split), stream, carrier);
+        }
+    }
+
+    /// What a ray brings that meets nothing.
+    fn escaped(&self, world: &World, branch: &Branch, carrier: &mut Carrier) {
+        for light in &world.lights.surroundings {
+            let radiance = light.radiance(branch.ray.direction);
+            if radiance.is_black() {
+                continue;
+            }
+            let asked = light.asked.map(|number| number as usize);
+            let weight = self.weight(world, branch, asked, |site| {
+                light.pdf_w(site, branch.ray.direction)
+            });
+            carrier.add(branch.trail, branch.throughput * radiance * weight);
+        }
+    }
+
+    /// The part that counts of the emission of a surface that was met.
+    fn weight_of_met(&self, world: &World, branch: &Branch, hit: &Hit) -> f32 {
+        let number = world.lights.of_material(hit.material);
+        self.weight(world, branch, number, |site| {
+            number.map_or(0.0, |number| world.lights.all[number].pdf_w(&world.geometry, site, hit))
+        })
+    }
+
+    /// The part that counts of light that the path itself has found, where asking lights finds it
+    /// with density `pdf_w`.
+    fn weight(
+        &self,
+        world: &World,
+        branch: &Branch,
+        light: Option<usize>,
+        pdf_w: impl Fn(&Site) -> f32,
+    ) -> f32 {
+        let (Some(lighting), Some(light)) = (&self.lighting, light) else { return 1.0 };
+        if branch.pdf_w == 0.0 {
+            return 1.0;
+        }
+        if !self.mis {
+            return 0.0;
+        }
+        let density = lighting.density(world, &branch.site, light, pdf_w(&branch.site));
+        power(branch.pdf_w, density)
+    }
+
+    /// How many rays go on from a surface, and by which part of what it does.
+    fn split(&self, branch: &Branch, bsdf: &Bsdf) -> Split {
+        let specular = bsdf.is_specular() && branch.mirrored < self.splits.specular;
+        let part = if specular { Part::Scattering } else { Part::All };
+        let diffuse = bsdf.scatters().is_some() && branch.scattered < self.splits.diffuse;
+        let rays = if diffuse { self.splits.rays } else { 1 };
+        Split { specular, diffuse, part, rays }
+    }
+
+    /// Sends rays on.
+    fn go_on(
+        &self,
+        branch: &Branch,
+        hit: &Hit,
+        (bsdf, split): (&Bsdf, Split),
+        stream: &mut Stream,
+        carrier: &mut Carrier,
+    ) {
+        if split.specular {
+            for way in bsdf.specular().into_iter().flatten() {
+                let trail = carrier.after(branch.trail, way.event);
+                carrier.waiting.push(branch.mirrored(hit, &way, trail));
+            }
+            if bsdf.scatters().is_none() {
+                return;
+            }
+        }
+        let surfaces = branch.scattered + branch.mirrored;
+        let fan = stream.fan(split.rays);
+        for nth in 0..split.rays {
+            let u = fan.four(nth);
+            let Some(mut way) = bsdf.sample(split.part, u) else { continue };
+            way.weight = way.weight / split.rays as f32;
+            if !split.diffuse && !split.specular && surfaces >= self.roulette_after {
+                let throughput = branch.throughput * way.weight / branch.squeeze;
+                let survival = self.roulette.survival(way.weight, throughput, surfaces);
+                // The last of the four decides nothing else.
+                if u[3] >= f64::from(survival) {
+                    continue;
+                }
+                way.weight = way.weight / survival;
+            }
+            let trail = carrier.after(branch.trail, way.event);
+            carrier.waiting.push(match way.pdf_w {
+                0.0 => branch.mirrored(hit, &way, trail),
+                _ => branch.scattered(hit, (bsdf, &way), split.rays, trail),
+            });
+        }
+    }
+}
+
+/// How a path goes on from a surface.
+#[derive(Clone, Copy, Debug)]
+struct Split {
+    /// By all its specular ways.
+    specular: bool,
+    /// By several rays.
+    diffuse: bool,
+    /// What a ray is sampled of.
+    part: Part,
+    /// How many rays.
+    rays: u32,
+}
