@@ -165,7 +165,7 @@ fn coloured(albedo: &Spectrum, sun: &Spectrum, lamp: &Spectrum) -> Hand {
     let Light::Directional(light) = &mut hand.scene.lights[0].value.value else { panic!() };
     light.irradiance = at(scene::Irradiance(sun.clone()));
     for material in &mut hand.scene.materials {
-        let scene::Material::Diffuse(diffuse) = &mut material.value.value;
+        let scene::Material::Diffuse(diffuse) = &mut material.value.value else { continue };
         match &*material.name.value {
             "grey" => diffuse.albedo = at(scene::Reflectance(albedo.clone())),
             "lamp" => diffuse.emission = at(scene::Radiance(lamp.clone())),
@@ -205,7 +205,9 @@ fn products_of_spectra_are_wrong_by_what_is_known() {
     assert!(black[0].contains("should be black"), "{black:?}");
     // Of several surfaces the one is told on which it is most wrong.
     let mut hand = with_ball(coloured(&datum("paint", "cornell_green"), &tungsten, &none), "black");
-    let scene::Material::Diffuse(diffuse) = &mut hand.scene.materials[0].value.value;
+    let scene::Material::Diffuse(diffuse) = &mut hand.scene.materials[0].value.value else {
+        panic!("diffuse")
+    };
     diffuse.albedo = at(scene::Reflectance(red.clone()));
     let [told] = &told(&hand)[..] else { panic!("{:?}", told(&hand)) };
     assert!(told.contains(" and `black`: 14."), "{told}");
@@ -240,7 +242,9 @@ fn products_that_are_exact_or_of_colours_are_not_told() {
     // A lamp does not light itself, unless it can.
     let shines = |hand: Hand| {
         let mut hand = hand;
-        let scene::Material::Diffuse(diffuse) = &mut hand.scene.materials[0].value.value;
+        let scene::Material::Diffuse(diffuse) = &mut hand.scene.materials[0].value.value else {
+            panic!("diffuse")
+        };
         diffuse.albedo = at(scene::Reflectance(red.clone()));
         diffuse.emission = at(scene::Radiance(tungsten.clone()));
         hand

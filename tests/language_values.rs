@@ -111,7 +111,9 @@ fn an_inline_material_is_a_declaration_named_by_its_path() {
     let names: Vec<_> = scene.materials.iter().map(|m| m.name.value.as_str()).collect();
     assert_eq!(names, ["object box.materials.wall", "object floor.material"]);
     let Object::Plane(floor) = &scene.objects[1].value.value else { panic!("a plane") };
-    let Material::Diffuse(found) = &scene.material(&floor.material).value.value;
+    let Material::Diffuse(found) = &scene.material(&floor.material).value.value else {
+        panic!("diffuse")
+    };
     assert_eq!(found.albedo.0, Spectrum::Constant(0.3));
 }
 
@@ -155,7 +157,7 @@ fn a_statement_leaves_nothing_of_an_earlier_one() {
     let all = scenes(text);
     let shadows = |i: usize| match &all[i].1.integrator.value {
         Integrator::Direct(direct) => direct.shadows.0,
-        Integrator::Preview(_) => panic!("direct"),
+        _ => panic!("direct"),
     };
     assert_eq!((shadows(0), shadows(1)), (false, true));
 }

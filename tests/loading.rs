@@ -11,9 +11,9 @@ use scn::load::{Loader, Stage};
 use scn::math::{NoProgress, Spectrum};
 use scn::optics::colour::{emitted, reflected};
 use scn::scene::{
-    KaMeans, At, BoxFilter, Camera, Count, Diffuse, Direction, Exposure, FileName, Film, Filter,
-    Independent, Integrator, Length, Material, Mesh, Named, Number, Object, Overview, Place,
-    Preview, Radiance, Ref, Reflectance, Sampler, Scene, Size, Stop, Text,
+    At, BoxFilter, Camera, Count, Diffuse, Direction, Exposure, FileName, Film, Filter,
+    Independent, Integrator, KaMeans, Length, Material, Mesh, Named, Number, Object, Overview,
+    Place, Preview, Radiance, Ref, Reflectance, Sampler, Scene, Size, Stop, Text,
 };
 
 const FACE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -30,6 +30,7 @@ fn scene(meshes: Vec<(&str, Mesh)>) -> Arc<Scene> {
         value: at(Material::Diffuse(Diffuse {
             albedo: at(Reflectance(Spectrum::Constant(albedo))),
             emission: at(Radiance(Spectrum::Constant(0.0))),
+            emits: at(scn::scene::Sides::Front),
         })),
     };
     let object = |(name, mesh): (&str, Mesh)| Named {
@@ -59,6 +60,7 @@ fn scene(meshes: Vec<(&str, Mesh)>) -> Arc<Scene> {
         }),
         lights: Vec::new(),
         materials: vec![material("grey", 0.5), material("pink", 0.75)],
+        media: Vec::new(),
         objects: meshes.into_iter().map(object).collect(),
     })
 }
@@ -130,7 +132,7 @@ fn said(code: Code, file: &str, line: usize, words: &str) -> (Code, String, usiz
 /// The albedo and the emission of each slot.
 fn paints(stage: &Stage) -> Vec<([f64; 3], [f64; 3])> {
     let paint = |material: &Named<Material>| {
-        let Material::Diffuse(diffuse) = &material.value.value;
+        let Material::Diffuse(diffuse) = &material.value.value else { panic!("diffuse") };
         (reflected(&diffuse.albedo.0), emitted(&diffuse.emission.0))
     };
     stage.meshes[0].as_ref().unwrap().materials.iter().map(paint).collect()
@@ -145,7 +147,7 @@ fn materials_come_from_the_mtl_file_with_their_places() {
     let stage = stage.unwrap();
     assert_eq!(paints(&stage), [([0.9, 0.8, 0.7], [3.0, 2.0, 1.0])]);
     let white = &stage.meshes[0].as_ref().unwrap().materials[0];
-    let Material::Diffuse(diffuse) = &white.value.value;
+    let Material::Diffuse(diffuse) = &white.value.value else { panic!("diffuse") };
     assert_eq!(sources.text(diffuse.albedo.span), "Kd 0.9 0.8 0.7");
     assert_eq!(sources.line_column(white.name.span), (3, 1));
     let names: Vec<_> = stage.files.iter().map(|file| file.name.as_str()).collect();

@@ -90,11 +90,9 @@ fn settings_that_only_change_the_noise_change_nothing_else() {
 #[test]
 fn glass_in_a_white_room_is_not_seen() {
     for index in [1.0, 1.0 + 1e-7, 1.33, 1.5, 100.0] {
-        for integrator in [
-            tracer(|_| ()),
-            tracer(|path| path.splits = at(splits(2, 0, 1))),
-            by_hand::direct(),
-        ] {
+        for integrator in
+            [tracer(|_| ()), tracer(|path| path.splits = at(splits(2, 0, 1))), by_hand::direct()]
+        {
             let hand = Hand::new(integrator.clone())
                 .glass("glass", index)
                 .sphere(DVec3::ZERO, 1.0, "glass")

@@ -7,7 +7,7 @@ use super::errors::mtl as errors;
 use crate::diag::{Diagnostic, FileId, Span};
 use crate::files::mtl::{self, Said};
 use crate::math::Spectrum;
-use crate::scene::{self, KaMeans, At, Diffuse, Named, Radiance, Reflectance, Sides};
+use crate::scene::{self, At, Diffuse, KaMeans, Named, Radiance, Reflectance, Sides};
 
 /// The source a material's places are in.
 #[derive(Clone, Copy)]

@@ -159,11 +159,11 @@ impl Threads {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::Rgb;
     use crate::render::cameras::{Camera, Perspective};
     use crate::render::film::{Film, Filter, Window};
     use crate::render::geometry::{Geometry, Shapes};
     use crate::render::lights::Lights;
-    use crate::math::Rgb;
     use crate::render::samplers::Sampler;
     use glam::DVec3;
 

@@ -31,7 +31,8 @@ pub use object::{Disk, KaMeans, Mesh, Object, Plane, Quad, Sphere, Triangle};
 pub use sampler::{Independent, Sampler, Sobol, Stratified};
 pub use stop::Stop;
 pub use values::{
-    Angle, Coefficient, Count, Depth, Direction, Exposure, FileName, Flux, Index, Irradiance, Length,
-    LightCount, Number, Place, Point, Radiance, Ref, Reflectance, Size, Step, Switch, Text, Time,
+    Angle, Coefficient, Count, Depth, Direction, Exposure, FileName, Flux, Index, Irradiance,
+    Length, LightCount, Number, Place, Point, Radiance, Ref, Reflectance, Size, Step, Switch, Text,
+    Time,
 };
 pub use whole::{Items, KINDS, KindOf, Named, Scene};

@@ -184,7 +184,10 @@ impl<'a> Checker<'a> {
                 ValueKind::Number { .. } => self.landed(value, &Type::Count, range, place),
                 _ => {
                     let all = words.all.iter().map(|(word, _)| *word);
-                    mismatch(&super::errors::listed(["a whole number"].into_iter().chain(all), "or"));
+                    mismatch(&super::errors::listed(
+                        ["a whole number"].into_iter().chain(all),
+                        "or",
+                    ));
                     None
                 }
             },

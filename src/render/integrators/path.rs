@@ -38,7 +38,7 @@ pub struct Splits {
     pub rays: u32,
 }
 
-/// The power heuristic, with the square [Veach95, ch. 9]: the part of one way to find light that is
+/// The power heuristic, with the square [Veach95]: the part of one way to find light that is
 /// found with density `a`, and by another way with density `b`.
 fn power(a: f32, b: f32) -> f32 {
     // By the ratio: squares of large densities have no place in f32.
@@ -73,13 +73,14 @@ impl Path {
             if let (Some(lighting), Some(event)) = (&self.lighting, bsdf.scatters()) {
                 let site = Site::new(&hit, &bsdf);
                 let counts = &mut carrier.counts;
-                let lit = lighting.scattered(world, (&site, &bsdf), stream, counts, |light, taken| {
-                    // No other way finds it, or none is to count.
-                    if taken == 0.0 || !self.mis {
-                        return 1.0;
-                    }
-                    power(taken, split.rays as f32 * bsdf.pdf_w(split.part, light.wi))
-                });
+                let lit =
+                    lighting.scattered(world, (&site, &bsdf), stream, counts, |light, taken| {
+                        // No other way finds it, or none is to count.
+                        if taken == 0.0 || !self.mis {
+                            return 1.0;
+                        }
+                        power(taken, split.rays as f32 * bsdf.pdf_w(split.part, light.wi))
+                    });
                 let trail = carrier.after(branch.trail, event);
                 carrier.add(trail, branch.throughput * lit);
             }
@@ -95,9 +96,8 @@ impl Path {
                 continue;
             }
             let asked = light.asked.map(|number| number as usize);
-            let weight = self.weight(world, branch, asked, |site| {
-                light.pdf_w(site, branch.ray.direction)
-            });
+            let weight =
+                self.weight(world, branch, asked, |site| light.pdf_w(site, branch.ray.direction));
             carrier.add(branch.trail, branch.throughput * radiance * weight);
         }
     }
