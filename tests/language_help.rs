@@ -19,7 +19,7 @@ fn only(text: &str) -> String {
 #[test]
 fn what_is_offered_can_be_what_was_meant() {
     for (text, offered) in [
-        ("material a: diffuse { color: 1 }", "`albedo` and `emission`"),
+        ("material a: diffuse { color: 1 }", "`albedo`, `emission` and `emits`"),
         ("material a: diffuse {}", "albedo: 0.5"),
         ("let colour = 1\nlet d = coluor * 2", "did you mean `colour`?"),
         ("prject: 1", "`let`"),
