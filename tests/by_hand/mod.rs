@@ -160,6 +160,15 @@ impl Hand {
         self
     }
 
+    /// What is up in the picture of the camera that was placed.
+    pub fn up(mut self, up: DVec3) -> Self {
+        let scene::Camera::Perspective(camera) = &mut self.scene.camera.value else {
+            panic!("a camera that was placed")
+        };
+        camera.up = at(scene::Direction(up.normalize()));
+        self
+    }
+
     pub fn material(mut self, name: &str, albedo: f64, emission: f64) -> Self {
         self.scene.materials.push(diffuse(name, Spectrum::Constant(albedo), emission));
         self.scene.materials.sort_by(|a, b| a.name.value.cmp(&b.name.value));
