@@ -172,8 +172,11 @@ codes! {
     SCENE_CLOSED_LAMP = "scene/closed-lamp";
     SCENE_ENDLESS_LAMP = "scene/endless-lamp";
     SCENE_ENDLESS_PATHS = "scene/endless-paths";
+    SCENE_HALF_A_CLOCK = "scene/half-a-clock";
     SCENE_LOST_TRIANGLES = "scene/lost-triangles";
+    SCENE_NIGHT = "scene/night";
     SCENE_NO_AREA = "scene/no-area";
+    SCENE_NORTH_IS_UP = "scene/north-is-up";
     SCENE_NOTHING_SHINES = "scene/nothing-shines";
     SCENE_NOTHING_TO_SEE = "scene/nothing-to-see";
     SCENE_TOO_BRIGHT = "scene/too-bright";

@@ -16,6 +16,43 @@ pub fn square_to_disk(u: Vec2) -> Vec2 {
     radius * Vec2::from_angle(angle)
 }
 
+/// The inverse of [`square_to_disk`].
+pub fn disk_to_square(p: Vec2) -> Vec2 {
+    let radius = p.length();
+    if radius == 0.0 {
+        return Vec2::splat(0.5);
+    }
+    // The square's axis that is closer, and how far from it to the diagonal.
+    let (along, across) = if p.x.abs() > p.y.abs() { (p.x, p.y) } else { (p.y, p.x) };
+    let part = (across / along).atan() / std::f32::consts::FRAC_PI_4;
+    let (a, b) = (radius.copysign(along), radius.copysign(along) * part);
+    let q = if p.x.abs() > p.y.abs() { Vec2::new(a, b) } else { Vec2::new(b, a) };
+    (0.5 * q + 0.5).clamp(Vec2::ZERO, Vec2::ONE)
+}
+
+/// The hemisphere about +z, by [`square_to_disk`]: its rim is the horizon.
+pub fn square_to_hemisphere(u: Vec2) -> Vec3 {
+    let p = square_to_disk(u);
+    let squared = p.length_squared().min(1.0);
+    (p * (2.0 - squared).sqrt()).extend(1.0 - squared)
+}
+
+/// The inverse of [`square_to_hemisphere`], for z ≥ 0.
+pub fn hemisphere_to_square(w: Vec3) -> Vec2 {
+    // The disk's radius is √(1 − z), the direction's √(1 − z²): without the difference that rounds.
+    disk_to_square(Vec2::new(w.x, w.y) / (1.0 + w.z).sqrt())
+}
+
+/// The cone of directions within `half_angle` of +z. Their density is one over its solid angle,
+/// 4π sin²(half_angle/2).
+pub fn square_to_cone(u: Vec2, half_angle: f32) -> Vec3 {
+    let p = square_to_disk(u);
+    // 1 − cos θ is even; sin²(θ/2) is half of it, and the chord from the axis has no cancellation.
+    let half_chord = (0.5 * half_angle).sin() * p.length();
+    let sin = 2.0 * half_chord * (1.0 - half_chord * half_chord).sqrt();
+    (p.normalize_or_zero() * sin).extend(1.0 - 2.0 * half_chord * half_chord)
+}
+
 /// The triangle, as weights of its second and third corner [Shirley97].
 pub fn square_to_triangle(u: Vec2) -> Vec2 {
     let s = u.x.sqrt();
@@ -74,6 +111,46 @@ mod tests {
             let ring = ((p.length_squared() * 8.0) as usize).min(7);
             ring * 12 + ((turn(p.x, p.y) * 12.0) as usize).min(11)
         });
+    }
+
+    #[test]
+    fn squares_come_back_from_disks_and_hemispheres() {
+        let mut most = Vec2::ZERO;
+        for i in 0..10_000 {
+            // Corners, edges, diagonals and the centre first.
+            let u = match i {
+                0..25 => Vec2::new((i / 5) as f32, (i % 5) as f32) / 4.0,
+                _ => square(i),
+            };
+            let off = disk_to_square(square_to_disk(u)) - u;
+            most = most.max(off.abs());
+            let off = hemisphere_to_square(square_to_hemisphere(u)) - u;
+            most = most.max(off.abs());
+        }
+        assert!(most.max_element() < 3e-6, "{most}");
+    }
+
+    #[test]
+    fn the_hemisphere_is_filled_evenly() {
+        assert_uniform(10 * 12, |u| {
+            let p = square_to_hemisphere(u);
+            assert!((p.length() - 1.0).abs() < 1e-5 && p.z >= 0.0);
+            ((p.z * 10.0) as usize).min(9) * 12 + ((turn(p.x, p.y) * 12.0) as usize).min(11)
+        });
+    }
+
+    #[test]
+    fn cones_are_filled_evenly_however_small() {
+        for half_angle in [1e-4_f32, 0.00465, 1.0, 3.0] {
+            assert_uniform(8 * 12, |u| {
+                let p = square_to_cone(u, half_angle);
+                assert!((p.length() - 1.0).abs() < 1e-6);
+                // Half the chord from the axis, squared, is even.
+                let within = ((p - Vec3::Z).length() / 2.0 / (half_angle / 2.0).sin()).powi(2);
+                assert!(within < 1.001, "{within}");
+                ((within * 8.0) as usize).min(7) * 12 + ((turn(p.x, p.y) * 12.0) as usize).min(11)
+            });
+        }
     }
 
     #[test]

@@ -186,17 +186,23 @@ fn constant_lights(survey: &Survey, integrator: &At<Integrator>) -> Vec<Bias> {
     if integrator.lit_by_surroundings() || survey.brightest().is_none() {
         return Vec::new();
     }
-    let bias = |light: &&scene::Named<scene::Light>| Bias {
-        kind: Kind::ConstantLight,
-        setting: format!("`light {}: constant` under `direct`", *light.name),
-        at: light.value.span,
-        effect: "it is seen behind the scene, and lights no surface".to_string(),
-        brief: "it lights no surface".to_string(),
-        bound: None,
-        instead_write: "write `environment: on` in the integrator, or leave the light out",
-        instead: None,
+    let bias = |light: &&scene::Named<scene::Light>| {
+        let (word, what) = match &light.value.value {
+            scene::Light::Preetham(_) => ("preetham", "its sky"),
+            _ => ("constant", "it"),
+        };
+        Bias {
+            kind: Kind::ConstantLight,
+            setting: format!("`light {}: {word}` under `direct`", *light.name),
+            at: light.value.span,
+            effect: format!("{what} is seen behind the scene, and lights no surface"),
+            brief: format!("{what} lights no surface"),
+            bound: None,
+            instead_write: "write `environment: on` in the integrator, or leave the light out",
+            instead: None,
+        }
     };
-    survey.constant.iter().map(bias).collect()
+    survey.surroundings.iter().map(bias).collect()
 }
 
 /// None if lights shine on surfaces, or there are none.
@@ -226,7 +232,12 @@ fn never_met(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
         setting: "`next_event: off`".to_string(),
         at: path.next_event.span,
         effect: format!(
-            "no path meets the light `{}`, which has no extent: it lights nothing",
+            "no path meets {} `{}`, which has no extent: it lights nothing",
+            if let scene::Light::Preetham(_) = &light.value.value {
+                "the sun of"
+            } else {
+                "the light"
+            },
             *light.name
         ),
         brief: "lights without extent are never met".to_string(),
@@ -241,7 +252,7 @@ fn near_ambient(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
     let Integrator::Ambient(ambient) = &integrator.value else { return None };
     ambient.distance.as_ref()?;
     survey.brightest()?;
-    survey.constant.first()?;
+    survey.surroundings.first()?;
     Some(Bias {
         kind: Kind::AmbientDistance,
         setting: "`distance` of `ambient`".to_string(),

@@ -194,7 +194,11 @@ impl Asked<'_> {
             let why = format!("the lamp `{}` has an area", *lamp.object.name);
             return (Need::Required, why, Some(lamp.object.name.span));
         }
-        match self.survey.constant.first().filter(|_| self.integrator.asks_surroundings()) {
+        if let Some(light) = self.survey.discs.first() {
+            let why = format!("the sun of `{}` is a disc", *light.name);
+            return (Need::Required, why, Some(light.name.span));
+        }
+        match self.survey.surroundings.first().filter(|_| self.integrator.asks_surroundings()) {
             Some(light) => {
                 let why = format!("`{}` shines from everywhere around", *light.name);
                 (Need::Required, why, Some(light.name.span))

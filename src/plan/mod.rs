@@ -5,6 +5,7 @@
 //! it. `prepare` builds the World and the integrator by the plan. What is left out changes no bit
 //! of a picture: `--force all` puts everything in, and a test compares the two.
 
+pub mod daylight;
 mod survey;
 mod features;
 mod spectra;

@@ -2,19 +2,22 @@
 
 use glam::DVec3;
 
+use super::daylight::Daylight;
 use crate::load::Stage;
 use crate::math::Spectrum;
 use crate::optics::colour;
-use crate::scene::{self, At, Light, Material, Named, Object};
+use crate::scene::{self, At, Light, Material, Named, Object, SunForm};
 
 /// The surfaces and lights of a stage.
 pub(super) struct Survey<'a> {
     /// One for each object and each of its materials that is in use.
     pub surfaces: Vec<Surface<'a>>,
-    /// `directional` lights that shine.
+    /// Lights without extent that shine: `directional` ones, and suns of skies.
     pub directional: Vec<&'a Named<Light>>,
-    /// `constant` lights that shine.
-    pub constant: Vec<&'a Named<Light>>,
+    /// Suns that are discs.
+    pub discs: Vec<&'a Named<Light>>,
+    /// What surrounds the scene and shines: `constant` lights and skies.
+    pub surroundings: Vec<&'a Named<Light>>,
     camera: &'a scene::Camera,
     objects: &'a [Named<Object>],
 }
@@ -58,19 +61,24 @@ impl<'a> Survey<'a> {
             };
             surfaces.push(Surface::new(object, scene.material(material)));
         }
-        let lights = |wanted: fn(&Light) -> Option<&Spectrum>| {
-            let shines = move |light: &&Named<Light>| wanted(&light.value).is_some_and(is_lit);
-            scene.lights.iter().filter(shines).collect()
+        let lights = |wanted: fn(&Light) -> bool| {
+            scene.lights.iter().filter(|light| wanted(&light.value)).collect()
         };
         Self {
             surfaces,
             directional: lights(|light| match light {
-                Light::Directional(sun) => Some(&sun.irradiance.value.0),
-                Light::Constant(_) => None,
+                Light::Directional(sun) => is_lit(&sun.irradiance.value.0),
+                Light::Preetham(sky) => matches!(*sky.sun, SunForm::SunDirection(_)) && is_day(sky),
+                Light::Constant(_) => false,
             }),
-            constant: lights(|light| match light {
-                Light::Constant(constant) => Some(&constant.radiance.value.0),
-                Light::Directional(_) => None,
+            discs: lights(|light| match light {
+                Light::Preetham(sky) => matches!(*sky.sun, SunForm::SunDisc(_)) && is_day(sky),
+                Light::Constant(_) | Light::Directional(_) => false,
+            }),
+            surroundings: lights(|light| match light {
+                Light::Constant(constant) => is_lit(&constant.radiance.value.0),
+                Light::Preetham(sky) => is_day(sky),
+                Light::Directional(_) => false,
             }),
             camera: &scene.camera,
             objects: &scene.objects,
@@ -82,9 +90,11 @@ impl<'a> Survey<'a> {
         self.surfaces.iter().find(|surface| surface.shines)
     }
 
-    /// The name of something that `direct` follows light from: a `directional` light or a lamp.
+    /// The name of something that `direct` follows light from: a `directional` light, a sun or a
+    /// lamp.
     pub fn shining(&self) -> Option<&'a At<String>> {
-        let sun = self.directional.first().map(|light| &light.name);
+        let mut suns = self.directional.iter().chain(&self.discs);
+        let sun = suns.next().map(|light| &light.name);
         sun.or_else(|| self.lamp().map(|lamp| &lamp.object.name))
     }
 
@@ -95,14 +105,14 @@ impl<'a> Survey<'a> {
 
     /// The name of something that surfaces are lit by when they ask for light.
     pub fn asked(&self, integrator: &scene::Integrator) -> Option<&'a At<String>> {
-        let around = self.constant.first().filter(|_| integrator.asks_surroundings());
+        let around = self.surroundings.first().filter(|_| integrator.asks_surroundings());
         self.shining().or_else(|| around.map(|light| &light.name))
     }
 
     /// The name of anything that lights surfaces.
     pub fn lit_by(&self, integrator: &scene::Integrator) -> Option<&'a At<String>> {
         let lights = self.shining().filter(|_| integrator.lit_by_lights().is_ok());
-        let around = self.constant.first().filter(|_| integrator.lit_by_surroundings());
+        let around = self.surroundings.first().filter(|_| integrator.lit_by_surroundings());
         lights.or_else(|| around.map(|light| &light.name))
     }
 
@@ -182,6 +192,11 @@ impl<'a> Surface<'a> {
             shines: material.value.emission().is_some_and(|emission| is_lit(&emission.0)),
         }
     }
+}
+
+/// Whether the sun of a sky is up.
+fn is_day(sky: &scene::Preetham) -> bool {
+    Daylight::of(sky).is_some_and(|day| day.shines())
 }
 
 /// Whether there is any light in it.

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::daylight::{self, Day, Sun};
 use super::errors::scene as errors;
 use super::materials::{self, in_units};
 use super::objects::Placed;
@@ -19,6 +20,7 @@ use crate::scene::{self, At, Scene};
 pub(super) struct Plain {
     pub surroundings: Vec<Sight>,
     pub directional: Vec<Light>,
+    pub days: Vec<Day>,
 }
 
 /// Brightest component of a light, of a surface's colour likewise: far enough below the largest
@@ -42,6 +44,10 @@ pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>
         let (shines, span) = match &light.value.value {
             scene::Light::Constant(constant) => (&constant.radiance.0, constant.radiance.span),
             scene::Light::Directional(sun) => (&sun.irradiance.0, sun.irradiance.span),
+            scene::Light::Preetham(sky) => {
+                brightest = brightest.max(daylight::brightest(sky));
+                continue;
+            }
         };
         brightest = brightest.max(largest(colour::emitted(shines), span, "light", &light.name));
     }
@@ -62,7 +68,7 @@ pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>
 
 /// The lights that are declared as such.
 pub(super) fn plain(scene: &Scene, light_unit: f64) -> Plain {
-    let mut plain = Plain::default();
+    let mut plain = Plain { days: daylight::days(scene), ..Plain::default() };
     for light in &scene.lights {
         match &light.value.value {
             scene::Light::Constant(constant) => {
@@ -80,6 +86,8 @@ pub(super) fn plain(scene: &Scene, light_unit: f64) -> Plain {
                         .push(Light::Directional(Directional { to_light, irradiance }));
                 }
             }
+            // Among the days.
+            scene::Light::Preetham(_) => {}
         }
     }
     plain
@@ -148,25 +156,37 @@ impl LampParts {
 pub(super) fn gather(
     plain: Plain,
     lamps: Vec<LampParts>,
-    geometry: &Geometry,
-    materials: &materials::Table,
-    stage: &Stage,
-    plan: &Plan,
+    (geometry, materials): (&Geometry, &materials::Table),
+    (stage, plan): (&Stage, &Plan),
+    light_unit: f64,
 ) -> Lights {
     let integrator = &stage.scene.integrator.value;
     let asks = plan.builds(Feature::Lights);
     let mut all = Vec::new();
     let mut of_materials = vec![Lights::NONE; materials.all.len()];
+    // What is seen, and whether it is asked for: a sun as every light.
+    let asks_around = asks && integrator.asks_surroundings();
+    let mut sights: Vec<_> = plain.surroundings.into_iter().map(|it| (it, asks_around)).collect();
+    let mut suns = Vec::new();
+    for day in &plain.days {
+        match day.sun(light_unit) {
+            Some(Sun::Disc(disc)) => sights.push((disc, asks)),
+            Some(Sun::Direction(sun)) => suns.push(Light::Directional(sun)),
+            None => {}
+        }
+        sights.extend(day.sky(light_unit).map(|sky| (sky, asks_around)));
+    }
     if asks {
         all.extend(plain.directional);
+        all.extend(suns);
         for lamp in lamps {
             of_materials[lamp.material() as usize] = all.len() as u32;
             all.push(lamp.light(geometry, materials));
         }
     }
     let mut surroundings = Vec::new();
-    for sight in plain.surroundings {
-        let asked = (asks && integrator.asks_surroundings()).then_some(all.len() as u32);
+    for (sight, asked) in sights {
+        let asked = asked.then_some(all.len() as u32);
         let light = Surroundings { sight, asked };
         if asked.is_some() {
             all.push(Light::Surroundings(light.clone()));
@@ -193,7 +213,9 @@ pub(super) fn check(scene: &Scene, shapes: &Assembled, plain: &Plain, found: &mu
             found.push(errors::closed_lamp(name, at));
         }
     }
-    let surrounded = integrator.lit_by_surroundings() && !plain.surroundings.is_empty();
+    let by_sky = integrator.lit_by_surroundings();
+    let surrounded =
+        by_sky && !plain.surroundings.is_empty() || plain.days.iter().any(|day| day.shines(by_sky));
     if shapes.lamps.is_empty() && plain.directional.is_empty() && !surrounded {
         found.push(errors::nothing_shines(scene.integrator.span));
     }

@@ -108,7 +108,8 @@ pub(super) fn in_units(spectrum: &Spectrum, light_unit: f64) -> Rgb {
     as_f32(colour::emitted(spectrum).map(|channel| channel / light_unit))
 }
 
-fn as_f32(channels: [f64; 3]) -> Rgb {
+/// Channels as render has them.
+pub(super) fn as_f32(channels: [f64; 3]) -> Rgb {
     let [r, g, b] = channels.map(|channel| channel as f32);
     Rgb::new(r, g, b)
 }

@@ -5,6 +5,7 @@
 //! film become what render knows. Faults are collected all the way.
 
 mod camera;
+mod daylight;
 mod errors;
 mod film;
 mod integrator;
@@ -161,11 +162,13 @@ fn assemble(
     if bodies.len() < scene.objects.len() {
         // What is missing would be missed everywhere: tell no consequences, only other faults.
         lights::unit(scene, &bodies, &mut found);
+        daylight::check(scene, &mut found);
         camera::check(scene, &mut found);
         return (None, found);
     }
     let space = space::Space::around(&bodies, &scene.camera);
     let light_unit = lights::unit(scene, &bodies, &mut found);
+    daylight::check(scene, &mut found);
     let materials = materials::table(scene, &bodies, light_unit);
     let lights = lights::plain(scene, light_unit);
     let integrator = integrator::prepare(&scene.integrator, plan, space.length(1.0));
@@ -189,7 +192,13 @@ fn build(stage: &Stage, plan: &Plan, parts: Parts) -> Prepared {
     let shapes::Assembled { shapes, lamps, objects, slivers } = parts.shapes;
     let other_shapes: u64 = objects.iter().map(|object| object.others).sum();
     let geometry = Geometry::build(shapes).with_coordinates(plan.builds(Feature::Coordinates));
-    let lights = lights::gather(parts.lights, lamps, &geometry, &parts.materials, stage, plan);
+    let lights = lights::gather(
+        parts.lights,
+        lamps,
+        (&geometry, &parts.materials),
+        (stage, plan),
+        parts.light_unit,
+    );
     let triangles: u64 = objects.iter().map(|object| object.triangles).sum();
     let primitives = (triangles + other_shapes).max(1);
     let bytes = geometry.bytes() as u64;

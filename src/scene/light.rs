@@ -1,7 +1,10 @@
 //! Lights: what shines without being the surface of an object.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::schema::Range;
 use super::vocabulary::vocabulary;
-use super::{Direction, Irradiance, Radiance};
+use super::{Angle, Count, Direction, Irradiance, Number, Radiance, Reflectance, Time};
 
 vocabulary! {
     /// Light that comes from no surface. Lamps with a surface are objects with an emission.
@@ -19,5 +22,50 @@ vocabulary! {
             /// On a surface square to it.
             irradiance: Irradiance;
         }
+        /// The clear sky of a place and a time, and the sun in it, by the model of Preetham,
+        /// Shirley and Smits. By day only: with the sun below the horizon there is no light.
+        "preetham" => Preetham {
+            /// How much thicker the whole air is than pure air: 2 is very clear, 3 clear, 6 hazy.
+            turbidity: Number, Range::between(1.7, 10.0).because(
+                "The model holds for clear and hazy air. For thinner air parts of the sky would be \
+                 darker than black, and for thicker air too, with a low sun.",
+            );
+            /// How far north of the equator the place is.
+            latitude: Angle, Range::between(-FRAC_PI_2, FRAC_PI_2);
+            /// Day of the year: 1 is the first of January.
+            day: Count, Range::between(1.0, 366.0);
+            /// Time of the day: solar time, by which the sun is highest at 12:00; with `longitude`
+            /// and `zone` what a clock shows.
+            time: Time, Range::between(0.0, 86_400.0);
+            /// How far east of Greenwich the place is, for the time of a clock.
+            longitude: Option<Angle>, Range::between(-PI, PI);
+            /// How far the clock is ahead of Greenwich: `1 h`, and `2 h` in summer, in Denmark.
+            zone: Option<Time>, Range::between(-50_400.0, 50_400.0);
+            /// Where north is. What of it points along `up` does not count.
+            north: Direction = "-z";
+            /// Where the zenith is.
+            up: Direction = "y";
+            /// What shines as the sun.
+            sun: SunForm = "disc {}";
+            /// How much light the ground gives back that is seen below the horizon, and lights
+            /// things from below: it is lit by sun and sky. By default it is black, as ground is
+            /// that the scene has itself.
+            ground: Reflectance = "0";
+        }
+    }
+}
+
+vocabulary! {
+    /// What shines as the sun of a sky: always with the light that the model's sun has.
+    pub enum SunForm: "sun" {
+        /// A round disc, bright all over: shadows have soft edges.
+        "disc" => SunDisc {
+            /// Half the angle that it fills. A larger disc is darker: its irradiance is the same.
+            half_angle: Angle = "0.00465 rad", Range::between(1e-4, 0.5);
+        }
+        /// A single direction: shadows have hard edges, and the sun itself is not seen.
+        "direction" => SunDirection {}
+        /// Nothing: the light of the sky alone, as with the sun behind a hand.
+        "none" => NoSun {}
     }
 }

@@ -24,7 +24,7 @@ pub use at::At;
 pub use camera::{Camera, Overview, Perspective};
 pub use film::{BoxFilter, Film, Filter, Gaussian, Mitchell, Tent};
 pub use integrator::{Ambient, AreaLights, Direct, Integrator, Path, Preview, Roulette, Splits};
-pub use light::{Constant, Directional, Light};
+pub use light::{Constant, Directional, Light, NoSun, Preetham, SunDirection, SunDisc, SunForm};
 pub use material::{Conductor, Dielectric, Diffuse, Material, Mirror, Sides};
 pub use medium::{Homogeneous, Medium};
 pub use object::{Disk, KaMeans, Mesh, Object, Plane, Quad, Sphere, Triangle};

@@ -58,6 +58,8 @@ pub struct Range {
     pub low: Bound,
     /// Upper bound.
     pub high: Bound,
+    /// Why there are bounds, in a sentence; empty where they go without saying.
+    pub why: &'static str,
 }
 
 /// One end of a [`Range`].
@@ -72,27 +74,36 @@ pub enum Bound {
 }
 
 impl Range {
+    const fn of(low: Bound, high: Bound) -> Self {
+        Self { low, high, why: "" }
+    }
+
     /// Any finite number.
-    pub const ANY: Self = Self { low: Bound::None, high: Bound::None };
+    pub const ANY: Self = Self::of(Bound::None, Bound::None);
 
     /// `low` or more.
     pub const fn at_least(low: f64) -> Self {
-        Self { low: Bound::Inclusive(low), high: Bound::None }
+        Self::of(Bound::Inclusive(low), Bound::None)
     }
 
     /// More than `low`.
     pub const fn above(low: f64) -> Self {
-        Self { low: Bound::Exclusive(low), high: Bound::None }
+        Self::of(Bound::Exclusive(low), Bound::None)
     }
 
     /// From `low` to `high`, both allowed.
     pub const fn between(low: f64, high: f64) -> Self {
-        Self { low: Bound::Inclusive(low), high: Bound::Inclusive(high) }
+        Self::of(Bound::Inclusive(low), Bound::Inclusive(high))
     }
 
     /// From `low` to `high`, neither allowed.
     pub const fn inside(low: f64, high: f64) -> Self {
-        Self { low: Bound::Exclusive(low), high: Bound::Exclusive(high) }
+        Self::of(Bound::Exclusive(low), Bound::Exclusive(high))
+    }
+
+    /// With the reason for its bounds, a sentence.
+    pub const fn because(self, why: &'static str) -> Self {
+        Self { why, ..self }
     }
 
     /// Whether a finite number lies within.

@@ -26,6 +26,7 @@ macro_rules! vocabulary {
         $(#[doc = $doc])+
         #[derive(Clone, Debug, PartialEq, serde::Serialize)]
         #[serde(rename_all = "snake_case")]
+        #[allow(clippy::large_enum_variant, reason = "scenes have few of each")]
         pub enum $Name {$(
             $(#[doc = $vdoc])+
             $Variant($Variant),

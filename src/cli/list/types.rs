@@ -78,7 +78,7 @@ pub fn range(field: &Field) -> Option<String> {
     let number = |x: f64| {
         if angle && x != 0.0 { format!("{} deg", x.to_degrees()) } else { x.to_string() }
     };
-    let Range { low, high } = match field.ty {
+    let Range { low, high, .. } = match field.ty {
         Type::Spectrum(spectral) if field.range == Range::ANY => spectral.range(),
         _ => field.range,
     };

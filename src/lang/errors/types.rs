@@ -185,8 +185,10 @@ pub fn out_of_range(
     };
     let bounds: Vec<_> = low.into_iter().chain(high).collect();
     let bounds = bounds.join(" and ");
-    Diagnostic::error(Code::TYPE_OUT_OF_RANGE, format!("{what} must be {bounds}, and is {found}"))
-        .label(span, format!("must be {bounds}"))
+    let headline = format!("{what} must be {bounds}, and is {found}");
+    let told = Diagnostic::error(Code::TYPE_OUT_OF_RANGE, headline)
+        .label(span, format!("must be {bounds}"));
+    if range.why.is_empty() { told } else { told.why(range.why) }
 }
 
 /// An angle that lies within its bounds if its number counts degrees; `text`: as written.

@@ -6,14 +6,16 @@ use crate::scene::Light;
 
 pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
     found.extend(everywhere(shots, |shot| {
-        let lights = shot.stage.scene.lights.iter().map(|light| {
+        let lights = shot.stage.scene.lights.iter().filter_map(|light| {
             let (zero, what, at) = match &light.value.value {
                 Light::Constant(it) => (it.radiance.0.is_zero(), "radiance", it.radiance.span),
                 Light::Directional(it) => {
                     (it.irradiance.0.is_zero(), "irradiance", it.irradiance.span)
                 }
+                // Dark at night alone, of which there is word already.
+                Light::Preetham(_) => return None,
             };
-            (light.name.span, zero.then(|| dark(&light.name.value, what, at)))
+            Some((light.name.span, zero.then(|| dark(&light.name.value, what, at))))
         });
         lights.collect()
     }));

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::optics::colour;
+use crate::plan::daylight::Daylight;
 use crate::scene::Light;
 
 /// A surface that a light falls on straight may be so many times as bright as white: it is the
@@ -33,16 +34,26 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     // A lamp gives no surface more than if it filled all that the surface faces.
     let mut bound: f64 = lamps.map(|radiance| radiance * (1.0 + albedo)).sum();
     for light in &scene.lights {
-        match &light.value.value {
-            Light::Constant(sky) => bound += most(colour::emitted(&sky.radiance.0)),
-            Light::Directional(sun) => {
-                let straight = most(colour::emitted(&sun.irradiance.0)) * albedo / PI;
-                bound += straight;
-                if straight * factor >= BRIGHTEST {
-                    let at = (sun.irradiance.span, stated);
-                    found.push(blown_out(&light.name.value, straight * factor, stops, at));
-                }
+        let (irradiance, at) = match &light.value.value {
+            Light::Constant(sky) => {
+                bound += most(colour::emitted(&sky.radiance.0));
+                continue;
             }
+            Light::Directional(sun) => {
+                (most(colour::emitted(&sun.irradiance.0)), sun.irradiance.span)
+            }
+            Light::Preetham(sky) => {
+                let Some(day) = Daylight::of(sky) else { continue };
+                // More than the sky is worth, by the little that is brighter beside the sun.
+                bound += most(day.level_irradiance());
+                (most(day.sun_irradiance()), light.value.span)
+            }
+        };
+        let straight = irradiance * albedo / PI;
+        bound += straight;
+        if straight * factor >= BRIGHTEST {
+            let at = (at, stated);
+            found.push(blown_out(&light.name.value, straight * factor, stops, at));
         }
     }
     // Where nothing shines at all, that is told.

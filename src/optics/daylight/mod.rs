@@ -11,6 +11,7 @@ pub mod position;
 pub mod sky;
 pub mod sun;
 
+pub use air::Air;
 pub use position::Sun;
 pub use sky::Sky;
 

@@ -1,6 +1,7 @@
 //! Family `scene`: each part of a scene is well written, and together they cannot be rendered.
 
 use crate::diag::{Code, Diagnostic, Span};
+use crate::plan::daylight::SunHours;
 use crate::scene::At;
 
 /// A camera whose eye is the point it looks at.
@@ -134,6 +135,60 @@ pub fn endless_lamp(name: &At<String>) -> Diagnostic {
         .help("use a `quad` or a `disk` as large as it has to be")
 }
 
+/// A sky whose north is its zenith.
+pub fn north_is_up(north: Span, up: Span) -> Diagnostic {
+    let fault = Diagnostic::error(Code::SCENE_NORTH_IS_UP, "the sky's north points along its up");
+    // A default's place is the record that left it out.
+    let fault = if up.start <= north.start && north.end <= up.end {
+        fault.label(north, "`up` is `y` where nothing else is said")
+    } else if north.start <= up.start && up.end <= north.end {
+        fault.label(up, "`north` is `-z` where nothing else is said")
+    } else {
+        fault.label(north, "north …").label(up, "… and the zenith, or its opposite")
+    };
+    fault
+        .why("North is a direction on the ground, across what is up.")
+        .help("choose a `north` across `up`, such as `-z` or `x` where `y` is up, `y` where `z` is")
+}
+
+/// A place without a clock, or a clock without a place.
+pub fn half_a_clock(given: &str, at: Span) -> Diagnostic {
+    let lacking = if given == "longitude" { "zone" } else { "longitude" };
+    let headline = format!("the sky's `{given}` needs a `{lacking}` beside it");
+    Diagnostic::error(Code::SCENE_HALF_A_CLOCK, headline)
+        .label(at, format!("says nothing without a `{lacking}`"))
+        .why("Where the sun stands at a clock's time follows from both; without them `time` is solar time.")
+        .help(match given {
+            "longitude" => "write what the clock is ahead of Greenwich, such as `zone: 1 h`; or leave `longitude` out",
+            _ => "write how far east the place is, such as `longitude: 12.5 deg`; or leave `zone` out",
+        })
+}
+
+/// A sky after sunset or before sunrise.
+pub fn night(name: &At<String>, time: Span, degrees_below: f64, hours: SunHours) -> Diagnostic {
+    let headline = format!("the sun of `{}` is {degrees_below:.1}° below the horizon", **name);
+    let fault = Diagnostic::warning(Code::SCENE_NIGHT, headline)
+        .label(time, "neither sun nor sky gives light at this time")
+        .why("The model is one of days: it has no twilight, no moon and no stars.");
+    // To the minute, inwards: there the sun is up.
+    let clock = |minutes: f64| {
+        let minutes = (minutes as i64).rem_euclid(24 * 60);
+        format!("{}:{:02}", minutes / 60, minutes % 60)
+    };
+    fault.help(match hours {
+        SunHours::Between(rise, set) => format!(
+            "on this day and at this place the sun is up from {} to {}",
+            clock((60.0 * rise).ceil()),
+            clock((60.0 * set).floor())
+        ),
+        SunHours::Always => "choose another time".to_string(),
+        SunHours::Never => {
+            "the sun stays down on this day at this place: choose another `day` or `latitude`"
+                .to_string()
+        }
+    })
+}
+
 /// Triangles that single precision cannot tell from lines.
 pub fn lost_triangles(name: &At<String>, lost: u64, of: usize) -> Diagnostic {
     let headline = format!("`{}` loses {lost} of {of} triangles to rounding", **name);
@@ -161,7 +216,7 @@ pub fn nothing_shines(integrator: Span) -> Diagnostic {
     )
     .label(integrator, "follows light from lamps and directional lights, and there are none")
     .why(
-        "A `constant` light is seen behind the scene, and `direct` does not follow it to surfaces.",
+        "A `constant` light or a sky is seen behind the scene; `direct` follows it to surfaces only where its `environment` is on.",
     )
     .help("add a `light` of kind `directional`, or an object whose material has an `emission`")
 }

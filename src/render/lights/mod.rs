@@ -5,11 +5,15 @@
 //! [`Surroundings::pdf_w`]): the two must agree, for paths weigh them against each other.
 
 mod directional;
+mod disc;
 mod lamp;
+mod sky;
 mod surroundings;
 
 pub use directional::Directional;
+pub use disc::Disc;
 pub use lamp::{Centre, Lamp};
+pub use sky::Sky;
 pub use surroundings::{Sight, Surroundings};
 
 use glam::Vec3;
@@ -131,9 +135,10 @@ impl Lights {
         self.sum(direction, |_| true)
     }
 
-    /// The part of it that is not asked for.
+    /// The part of it that is not asked for, as surfaces are lit by it: without suns, which count
+    /// among the lights.
     pub fn ambient(&self, direction: Vec3) -> Rgb {
-        self.sum(direction, |light| light.asked.is_none())
+        self.sum(direction, |light| light.asked.is_none() && !light.sight.is_sun())
     }
 
     fn sum(&self, direction: Vec3, counts: impl Fn(&Surroundings) -> bool) -> Rgb {

@@ -1,10 +1,11 @@
 //! What surrounds the scene, infinitely far away: seen where a ray meets nothing.
 
 use std::f32::consts::{FRAC_1_PI, PI};
+use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 
-use super::{Arrival, Ray, Site};
+use super::{Arrival, Disc, Ray, Site, Sky};
 use crate::math::{Rgb, random, warp};
 
 /// Light from around the scene.
@@ -21,37 +22,60 @@ pub struct Surroundings {
 pub enum Sight {
     /// The same radiance in every direction, in light units.
     Constant(Rgb),
+    /// A sun.
+    Disc(Disc),
+    /// A sky.
+    Sky(Arc<Sky>),
+}
+
+impl Sight {
+    /// Whether it is small and bright: no matter for rays that look around at random.
+    pub fn is_sun(&self) -> bool {
+        matches!(self, Self::Disc(_))
+    }
 }
 
 impl Surroundings {
     /// Radiance along a ray that goes there, in light units.
-    pub fn radiance(&self, _direction: Vec3) -> Rgb {
+    pub fn radiance(&self, direction: Vec3) -> Rgb {
         match &self.sight {
             Sight::Constant(radiance) => *radiance,
+            Sight::Disc(disc) => disc.radiance(direction),
+            Sight::Sky(sky) => sky.radiance(direction),
         }
     }
 
-    /// Light from one direction: for a surface by the cosine to its normal, else uniform.
+    /// Light from one direction. Of light that is the same everywhere: for a surface by the cosine
+    /// to its normal, else uniform; of a sky by its luminance; of a disc from within it.
     pub(super) fn sample(&self, site: &Site, u: [f64; 2]) -> Option<Arrival> {
-        let u = Vec2::from_array(u.map(random::unit_f32));
-        let wi = match site.normal {
-            Vec3::ZERO => warp::square_to_sphere(u),
-            normal => warp::about(normal, warp::square_to_cosine(u)),
+        let (wi, radiance, pdf_w) = match &self.sight {
+            Sight::Constant(radiance) => {
+                let u = Vec2::from_array(u.map(random::unit_f32));
+                let wi = match site.normal {
+                    Vec3::ZERO => warp::square_to_sphere(u),
+                    normal => warp::about(normal, warp::square_to_cosine(u)),
+                };
+                (wi, *radiance, self.pdf_w(site, wi))
+            }
+            Sight::Disc(disc) => disc.sample(u),
+            Sight::Sky(sky) => sky.sample(u)?,
         };
-        let pdf_w = self.pdf_w(site, wi);
         if pdf_w <= 0.0 {
             return None;
         }
-        let irradiance = self.radiance(wi) / pdf_w;
         let shadow = Ray::new(site.point.leave(wi), wi);
-        Some(Arrival { wi, irradiance, pdf_w, shadow })
+        Some(Arrival { wi, irradiance: radiance / pdf_w, pdf_w, shadow })
     }
 
     /// Density with which `sample` gives a direction.
     pub fn pdf_w(&self, site: &Site, wi: Vec3) -> f32 {
-        match site.normal {
-            Vec3::ZERO => 0.25 * FRAC_1_PI,
-            normal => normal.dot(wi).max(0.0) / PI,
+        match &self.sight {
+            Sight::Constant(_) => match site.normal {
+                Vec3::ZERO => 0.25 * FRAC_1_PI,
+                normal => normal.dot(wi).max(0.0) / PI,
+            },
+            Sight::Disc(disc) => disc.pdf_w(wi),
+            Sight::Sky(sky) => sky.pdf_w(wi),
         }
     }
 }
