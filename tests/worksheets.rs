@@ -21,13 +21,21 @@ struct Worksheet {
     figures: std::ops::RangeInclusive<u32>,
 }
 
-const WORKSHEETS: &[Worksheet] =
-    &[Worksheet { file: "scenes/w01_first_pictures.scn", figures: 1..=6 }];
+const WORKSHEETS: &[Worksheet] = &[
+    Worksheet { file: "scenes/w01_first_pictures.scn", figures: 1..=6 },
+    Worksheet { file: "scenes/w05_path_tracing.scn", figures: 22..=25 },
+];
 
-static FIRST: LazyLock<Vec<Shot>> = LazyLock::new(|| shots::open(WORKSHEETS[0].file));
+static SHOTS: LazyLock<Vec<Vec<Shot>>> =
+    LazyLock::new(|| WORKSHEETS.iter().map(|sheet| shots::open(sheet.file)).collect());
 
+/// A render by its sheet and name: `w01/fig04`.
 fn shot(name: &str) -> &'static Shot {
-    FIRST.iter().find(|shot| shot.name == name).unwrap_or_else(|| panic!("no render {name}"))
+    let (sheet, render) = name.split_once('/').unwrap();
+    let is_it = |other: &Worksheet| other.file.starts_with(&format!("scenes/{sheet}_"));
+    let sheet = WORKSHEETS.iter().position(is_it).unwrap();
+    let found = SHOTS[sheet].iter().find(|shot| shot.name == render);
+    found.unwrap_or_else(|| panic!("no render {name}"))
 }
 
 /// The figure a caption begins with: "Figure 12. …", "Figure 12, left. …".
@@ -40,8 +48,12 @@ fn figure(caption: &str) -> Option<u32> {
 
 /// The mean of a render's picture over all pixels and channels, once a seed.
 fn means(name: &str) -> Moments {
+    means_at(SCALE, name)
+}
+
+fn means_at(scale: f64, name: &str) -> Moments {
     let shot = shot(name);
-    let prepared = shot.prepare(SCALE);
+    let prepared = shot.prepare(scale);
     let mean = |seed| {
         let picture = shot.picture(&prepared, seed);
         let sum: f64 = picture.pixels.iter().flat_map(|p| p.to_array()).map(f64::from).sum();
@@ -52,8 +64,7 @@ fn means(name: &str) -> Moments {
 
 #[test]
 fn every_figure_has_a_render() {
-    for sheet in WORKSHEETS {
-        let shots = shots::open(sheet.file);
+    for (sheet, shots) in WORKSHEETS.iter().zip(&*SHOTS) {
         for number in sheet.figures.clone() {
             let found = shots.iter().any(|shot| figure(shot.caption()) == Some(number));
             assert!(found, "{}: no caption begins with Figure {number}.", sheet.file);
@@ -72,27 +83,25 @@ fn every_worksheet_is_in_the_table() {
 
 #[test]
 fn every_render_makes_a_picture() {
-    for sheet in WORKSHEETS {
-        for shot in shots::open(sheet.file) {
-            let picture = shot.picture(&shot.prepare(SCALE), 0);
-            assert_eq!((picture.width, picture.height), (32, 32), "{}", shot.name);
-            let values: Vec<f32> = picture.pixels.iter().flat_map(|p| p.to_array()).collect();
-            let (low, high) = values.iter().fold((f32::MAX, 0.0f32), |(low, high), &value| {
-                assert!(value >= 0.0 && value.is_finite(), "{}: {value}", shot.name);
-                (low.min(value), high.max(value))
-            });
-            assert!(high > low, "{} shows nothing", shot.name);
-        }
+    for shot in SHOTS.iter().flatten() {
+        let picture = shot.picture(&shot.prepare(SCALE), 0);
+        assert_eq!((picture.width, picture.height), (32, 32), "{}", shot.name);
+        let values: Vec<f32> = picture.pixels.iter().flat_map(|p| p.to_array()).collect();
+        let (low, high) = values.iter().fold((f32::MAX, 0.0f32), |(low, high), &value| {
+            assert!(value >= 0.0 && value.is_finite(), "{}: {value}", shot.name);
+            (low.min(value), high.max(value))
+        });
+        assert!(high > low, "{} shows nothing", shot.name);
     }
 }
 
 #[test]
 fn figures_that_show_different_things_differ() {
     let pairs = [
-        ("fig01", "fig02"),          // the headlight is no directional light
-        ("fig02", "fig03_override"), // pink
-        ("fig02", "fig04"),          // shadows on the bunny
-        ("fig05", "fig06"),          // shadows in the box
+        ("w01/fig01", "w01/fig02"), // the headlight is no directional light
+        ("w01/fig02", "w01/fig03_override"), // pink
+        ("w01/fig02", "w01/fig04"), // shadows on the bunny
+        ("w01/fig05", "w01/fig06"), // shadows in the box
     ];
     for (a, b) in pairs {
         let (score, _, _) = welch(&means(a), &means(b));
@@ -102,16 +111,32 @@ fn figures_that_show_different_things_differ() {
 
 #[test]
 fn more_rays_a_pixel_change_no_expectation() {
-    let sixteen = means("rays_16");
-    for name in ["rays_1", "rays_4", "rays_9"] {
+    let sixteen = means("w01/rays_16");
+    for name in ["w01/rays_1", "w01/rays_4", "w01/rays_9"] {
         let (score, _, _) = welch(&means(name), &sixteen);
         assert!(score.abs() < APART, "{name} is {score} standard errors from sixteen rays");
     }
 }
 
 #[test]
+fn neither_splitting_nor_roulette_changes_an_expectation() {
+    // Hundreds of paths a pixel: eight pixels a side are enough.
+    let few = |name: &str| means_at(SCALE / 4.0, &format!("w05/{name}"));
+    let left = few("fig22_left");
+    for (a, b) in [(&left, "fig22_right"), (&left, "fig23_left"), (&left, "fig23_right")] {
+        let (score, _, _) = welch(a, &few(b));
+        assert!(score.abs() < APART, "{b} is {score} standard errors from figure 22, left");
+    }
+    for figure in ["fig24", "fig25"] {
+        let [left, right] = ["left", "right"].map(|side| few(&format!("{figure}_{side}")));
+        let (score, _, _) = welch(&left, &right);
+        assert!(score.abs() < APART, "{figure}: {score} standard errors");
+    }
+}
+
+#[test]
 fn what_is_said_in_two_ways_is_the_same_picture() {
-    for (a, b) in [("fig03_mtl", "fig03_override"), ("fig04", "rays_16")] {
+    for (a, b) in [("w01/fig03_mtl", "w01/fig03_override"), ("w01/fig04", "w01/rays_16")] {
         let picture = |name| shot(name).picture(&shot(name).prepare(SCALE), 7);
         assert!(picture(a) == picture(b), "{a} and {b} differ");
     }
