@@ -31,9 +31,9 @@ fn changed_bytes_make_no_panic() {
     let mut believed = 0;
     let mut look = |bytes: &[u8]| {
         let Ok(taken) = postcard::from_bytes::<Taken>(bytes) else { return };
-        let fits = taken.fits(&window, rhythm);
-        assert!(!fits || taken.is_sound(&window));
-        if !taken.is_sound(&window) {
+        let fits = taken.fits(&window, 0, rhythm);
+        assert!(!fits || taken.is_sound(&window, 0));
+        if !taken.is_sound(&window, 0) {
             return;
         }
         believed += 1;

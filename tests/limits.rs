@@ -185,7 +185,7 @@ fn what_was_kept_between_passes_is_gone_on_from_to_the_same_bits() {
             render(prepared, 3, until.clone(), &keeping);
             let kept = keeping.kept.into_inner().unwrap();
             let Some(taken) = kept else { panic!("fewer than {passes} passes") };
-            assert!(taken.fits(&prepared.world.film.window, prepared.world.sampler.rhythm()));
+            assert!(taken.fits(&prepared.world.film.window, 0, prepared.world.sampler.rhythm()));
             let settings = Settings { seed: 3, until: until.clone() };
             let Prepared { world, integrator, .. } = prepared;
             let begin = Begin { taken, seconds: 1.0 };

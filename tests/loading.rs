@@ -58,6 +58,7 @@ fn scene(meshes: Vec<(&str, Mesh)>) -> Arc<Scene> {
             error: at(None),
             adaptive: at(scn::scene::Switch(false)),
         }),
+        layers: Vec::new(),
         lights: Vec::new(),
         materials: vec![material("grey", 0.5), material("pink", 0.75)],
         media: Vec::new(),

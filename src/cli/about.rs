@@ -39,6 +39,8 @@ pub struct About {
     pub crop: Option<[u64; 4]>,
     /// --set.
     pub set: Vec<String>,
+    /// Names of the layers beside the picture.
+    pub layers: Vec<String>,
     /// What makes the picture systematically wrong.
     pub biases: Vec<Told>,
 }
@@ -60,6 +62,7 @@ impl About {
             scale: options.scale,
             crop: options.crop,
             set: options.set.clone(),
+            layers: stage.scene.layers.iter().map(|layer| layer.name.value.clone()).collect(),
             biases: bias::told(stage),
         }
     }

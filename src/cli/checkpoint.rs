@@ -128,7 +128,7 @@ pub fn begin(
     agree(&kept, &taken, asked).map_err(told)?;
     let fits = taken.first() == asked.first()
         && kept.frame == Frame::of(world)
-        && taken.fits(&world.film.window, world.sampler.rhythm());
+        && taken.fits(&world.film.window, world.film.layers, world.sampler.rhythm());
     if !fits {
         return Err(told(contradicting().to_string()));
     }

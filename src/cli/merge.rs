@@ -118,7 +118,7 @@ fn read(path: &Path) -> Result<(Kept, Slice, Taken), Failure> {
     let (kept, taken) = Kept::read(path, Kind::Part)?;
     let slice = kept.slice.ok_or_else(contradicting)?;
     let whole = kept.limits.samples == Some(slice.samples)
-        && taken.is_sound(&kept.frame.window)
+        && taken.is_sound(&kept.frame.window, kept.about.layers.len())
         && taken.first() == slice.first
         && taken.ends().all(|end| end == slice.end);
     if whole { Ok((kept, slice, taken)) } else { Err(contradicting()) }

@@ -33,11 +33,16 @@ impl Done<'_> {
             let Frame { film, window, .. } = self.frame;
             let samples = film::samples(window, &self.outcome.taken);
             let error = self.outcome.standard_error;
+            let error = error.into_iter().map(|error| ("error".to_string(), error));
+            let layers = film::layers(window, &self.outcome.taken, self.frame.light_unit);
+            let layers = self.about.layers.iter().cloned().zip(layers);
+            let mut named: Vec<_> = error.chain(layers).collect();
+            named.sort_by(|(a, _), (b, _)| a.cmp(b));
             let layers = files::exr::Layers {
                 film: film.map(|n| n as usize),
                 origin: [window.x0 as usize, window.y0 as usize],
                 main: self.outcome.picture,
-                named: error.into_iter().map(|error| ("error".to_string(), error)).collect(),
+                named,
                 scalars: vec![("samples".to_string(), samples)],
             };
             files::exr::write(path, &layers, &metadata).map_err(|f| (path.clone(), f))?;

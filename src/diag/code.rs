@@ -81,6 +81,7 @@ codes! {
     LINT_COINCIDENT_SURFACES = "lint/coincident-surfaces";
     LINT_COLOUR_CUT = "lint/colour-cut";
     LINT_DARK_LIGHT = "lint/dark-light";
+    LINT_EMPTY_LAYER = "lint/empty-layer";
     LINT_ENCLOSED = "lint/enclosed";
     LINT_EXPOSURE = "lint/exposure";
     LINT_HIDDEN_BY_PLANE = "lint/hidden-by-plane";
@@ -157,6 +158,11 @@ codes! {
     NAME_UNKNOWN_WORD = "name/unknown-word";
     NAME_UNWANTED_NAME = "name/unwanted-name";
     NAME_WHICH_VARIANT = "name/which-variant";
+    PATHS_LAYER_NAME = "paths/layer-name";
+    PATHS_NO_PATH = "paths/no-path";
+    PATHS_OTHERS_TWICE = "paths/others-twice";
+    PATHS_TOO_LARGE = "paths/too-large";
+    PATHS_UNREADABLE = "paths/unreadable";
     RENDER_CIRCLE = "render/circle";
     RENDER_CLASH = "render/clash";
     RENDER_DUPLICATE = "render/duplicate";

@@ -92,7 +92,9 @@ fn words(ev: &Evaluator, value: &Expr, env: &Env, known: &HashSet<&str>) {
 fn schema_words(ty: &Type, found: &mut HashSet<&str>) {
     let records: &'static [Record] = match ty {
         Type::Switch => return found.extend(["on", "off"]),
-        Type::Words(words) => return found.extend(words.all.iter().map(|(word, _)| *word)),
+        Type::Words(words) | Type::Paths(Some(words)) => {
+            return found.extend(words.all.iter().map(|(word, _)| *word));
+        }
         Type::OneOf(variants) => variants.all,
         Type::Record(record) => std::slice::from_ref(*record),
         Type::List(inner) | Type::Map(inner) => return schema_words(inner, found),

@@ -77,7 +77,8 @@ pub(super) fn check(scene: &Scene, settings: &Settings, found: &mut Vec<Diagnost
     let Ok((_, window)) = window(&scene.film, settings) else { return };
     let samples = scene.stop.most_samples().unwrap_or(SAMPLES_UNTOLD);
     let rhythm = super::integrator::sampler(&scene.sampler).rhythm();
-    let bytes = window.pixels().saturating_mul(bytes_a_pixel(samples, rhythm));
+    let layers = scene.layers.len();
+    let bytes = window.pixels().saturating_mul(bytes_a_pixel(samples, layers, rhythm));
     if bytes > MOST_BYTES {
         let size = [window.width(), window.height()];
         found.push(errors::film_too_large(scene.film.size.span, size, bytes, MOST_BYTES));
@@ -87,9 +88,10 @@ pub(super) fn check(scene: &Scene, settings: &Settings, found: &mut Vec<Diagnost
 /// Where time or error decide, memory is counted for so many samples a pixel.
 const SAMPLES_UNTOLD: u64 = 1 << 20;
 
-/// Sums of a pixel, its colour and its standard error.
-fn bytes_a_pixel(samples: u64, rhythm: Rhythm) -> u64 {
-    Taken::bytes_a_pixel(samples, rhythm) + 2 * size_of::<crate::math::Rgb>() as u64
+/// Sums of a pixel, its colour, its standard error and its layers.
+fn bytes_a_pixel(samples: u64, layers: usize, rhythm: Rhythm) -> u64 {
+    let colours = (2 + layers) * size_of::<crate::math::Rgb>();
+    Taken::bytes_a_pixel(samples, layers, rhythm) + colours as u64
 }
 
 /// How samples are weighed.

@@ -12,11 +12,13 @@ mod integrator;
 mod lights;
 mod materials;
 mod objects;
+mod paths;
 mod shapes;
 mod space;
 
 use crate::diag::{Diagnostic, Level, Span};
 use crate::load::Stage;
+use crate::math::paths::Automaton;
 use crate::math::{NoProgress, Progress};
 use crate::plan::{Feature, Plan};
 use crate::render::geometry::Geometry;
@@ -143,6 +145,7 @@ struct Parts {
     lights: lights::Plain,
     camera: crate::render::cameras::Camera,
     film: Film,
+    paths: Option<Automaton>,
     integrator: Integrator,
     light_unit: f64,
     scale: f64,
@@ -159,6 +162,7 @@ fn assemble(
 
     let bodies = objects::place(stage, &mut found);
     film::check(scene, settings, &mut found);
+    let paths = paths::automaton(scene, &mut found);
     if bodies.len() < scene.objects.len() {
         // What is missing would be missed everywhere: tell no consequences, only other faults.
         lights::unit(scene, &bodies, &mut found);
@@ -182,9 +186,11 @@ fn assemble(
     let (Ok((size, window)), Some(camera), false) = (window, camera, faulty) else {
         return (None, found);
     };
-    let film = Film { size, window, filter: film::filter(&scene.film.filter) };
+    let filter = film::filter(&scene.film.filter);
+    let film = Film { size, window, filter, layers: scene.layers.len() };
     let scale = space.length(1.0);
-    let parts = Parts { shapes, materials, lights, camera, film, integrator, light_unit, scale };
+    let parts =
+        Parts { shapes, materials, lights, camera, film, paths, integrator, light_unit, scale };
     (Some(parts), found)
 }
 
@@ -228,6 +234,7 @@ fn build(stage: &Stage, plan: &Plan, parts: Parts) -> Prepared {
             lights,
             camera: parts.camera,
             film: parts.film,
+            paths: parts.paths,
             sampler: integrator::sampler(&stage.scene.sampler),
             light_unit: parts.light_unit,
         },

@@ -108,7 +108,8 @@ where
 {
     let rhythm = world.sampler.rhythm();
     let (block, first) = (job.samples.start / rhythm.block, job.samples.start % rhythm.block);
-    let fresh = || Begun::new(tile.pixels() as usize, block, rhythm);
+    let size = [tile.pixels() as usize, world.film.layers];
+    let fresh = || Begun::new(size, block, rhythm);
     let mut begun = from.cloned().unwrap_or_else(fresh);
     let mut carrier = Carrier::new(*begun.counts());
     for (index, (x, y)) in tile.places().enumerate() {
@@ -179,7 +180,9 @@ mod tests {
                 size,
                 window: Window { x0: 2, y0: 1, x1: 40, y1: 20 },
                 filter: Filter::Box { radius: 0.5 },
+                layers: 0,
             },
+            paths: None,
             sampler: Sampler::Independent,
             light_unit: 1.0,
         }

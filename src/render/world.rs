@@ -6,6 +6,7 @@ use super::geometry::Geometry;
 use super::lights::Lights;
 use super::materials::Material;
 use super::samplers::Sampler;
+use crate::math::paths::Automaton;
 
 /// Lengths are in world units: the scene moved to the middle of its bounding box and scaled by a
 /// power of two to fit about [-1, 1]. Radiance does not change by that; it is in `light_unit`s.
@@ -20,6 +21,8 @@ pub struct World {
     pub camera: Camera,
     /// What the light becomes.
     pub film: Film,
+    /// Which paths of light go to which layer of the film; None: all go to the picture alone.
+    pub paths: Option<Automaton>,
     /// Where the random numbers come from.
     pub sampler: Sampler,
     /// W/m²/sr of one unit of radiance within: a power of two near the brightest light, so that

@@ -51,6 +51,7 @@ pub fn difference(
         size,
         window: Window { x0: 0, y0: 0, x1: size[0], y1: size[1] },
         filter: Filter::Box { radius: 0.5 },
+        layers: 0,
     };
     let each = (samples / small.window.pixels()).max(1);
     let camera = world.camera.over([window.x0, window.y0], [window.width(), window.height()], size);

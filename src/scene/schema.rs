@@ -34,6 +34,8 @@ pub enum Type {
     Words(&'static Words),
     /// A whole number, or one of some words.
     CountOr(&'static Words),
+    /// An expression over paths of light, in quotes; or one of these words.
+    Paths(Option<&'static Words>),
     /// One of some variants, each a word with a record.
     OneOf(&'static Variants),
     /// Fields in braces.
@@ -210,8 +212,10 @@ pub enum Checked {
     Spectrum(Spectrum),
     /// Of `Index`: n, and k of n + ik.
     Index(Spectrum, Spectrum),
-    /// Of `Words` and `CountOr`: which.
+    /// Of `Words` and `CountOr`, and of `Paths` that are none: which.
     Word(usize),
+    /// Of `Paths`.
+    Paths(super::Paths),
     /// Of `OneOf`: which, and its fields in the order of the schema.
     Variant(usize, Vec<At<Checked>>),
     /// Of `Record`: its fields in the order of the schema.

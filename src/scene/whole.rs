@@ -3,7 +3,10 @@
 use serde::Serialize;
 
 use super::schema::{Checked, Kind, Vocabulary};
-use super::{At, Camera, Film, Integrator, Light, Material, Medium, Object, Sampler, Stop, Text};
+use super::{
+    At, Camera, Film, Integrator, Layer, Light, Material, Medium, Object, Only, Sampler, Stop, Text,
+};
+use crate::math::paths::{Expression, Which};
 
 /// A declaration with its name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -29,7 +32,7 @@ macro_rules! kinds {
         many {$($(#[doc = $mdoc:literal])+ $word:literal => $many:ident: $Many:ty;)*}
     ) => {
         /// What one render shows, complete. Declarations stand in the order of their names, so
-        /// that their order in the text means nothing.
+        /// that their order in the text means nothing; layers alone in that of the text.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         pub struct Scene {
             $($(#[doc = $odoc])+ pub $one: At<$One>,)*
@@ -63,7 +66,7 @@ macro_rules! kinds {
             /// an unnamed kind is missing.
             pub fn lower(items: &Items) -> Self {
                 let of = |kind: &'static str| items.iter().filter(move |item| item.0 == kind);
-                Self {
+                let mut scene = Self {
                     $($one: {
                         let (_, _, item) = of(stringify!($one)).next()
                             .expect("checked: every unnamed kind");
@@ -77,7 +80,10 @@ macro_rules! kinds {
                         all.sort_by(|a, b| a.name.value.cmp(&b.name.value));
                         all
                     },)*
-                }
+                };
+                // The first that means a path takes it.
+                scene.layers.sort_by_key(|layer| layer.name.span);
+                scene
             }
         }
     };
@@ -99,6 +105,8 @@ kinds! {
         stop: Stop = "{}";
     }
     many {
+        /// Part of the light of the picture, in a picture of its own.
+        "layer" => layers: Layer;
         /// Light that comes from no surface.
         "light" => lights: Light;
         /// What a surface does with light.
@@ -111,6 +119,18 @@ kinds! {
 }
 
 impl Scene {
+    /// Which paths the picture shows, if not all, and which each layer takes.
+    pub fn which_paths(&self) -> (Option<&Expression>, Vec<Which<'_>>) {
+        let layers = self.layers.iter().map(|layer| {
+            let Layer::PathsLayer(layer) = &*layer.value;
+            match &*layer.only {
+                Only::Paths(paths) => Which::Only(&paths.expression),
+                Only::Others => Which::Others,
+            }
+        });
+        (None, layers.collect())
+    }
+
     /// The material a reference names.
     pub fn material(&self, name: &super::Ref<Material>) -> &Named<Material> {
         let found = self.materials.binary_search_by(|m| m.name.value.as_str().cmp(&name.name));

@@ -112,6 +112,7 @@ impl Hand {
                 integrator: at(integrator),
                 sampler: at(scene::Sampler::Stratified(sampler)),
                 stop: at(stop(1)),
+                layers: Vec::new(),
                 lights: Vec::new(),
                 materials: Vec::new(),
                 media: Vec::new(),

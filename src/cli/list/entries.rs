@@ -65,7 +65,7 @@ fn inside(ty: Type, path: &str, of_kind: bool, found: &mut Vec<Entry>) {
             }
         }
         Type::Record(record) => record_fields(record, path, found),
-        Type::Words(words) | Type::CountOr(words) => {
+        Type::Words(words) | Type::CountOr(words) | Type::Paths(Some(words)) => {
             for (word, doc) in words.all {
                 let path = format!("{path}: {word}");
                 found.push(Entry::Word { word, doc, path });

@@ -84,7 +84,7 @@ fn fields(record: &Record) -> String {
     };
     for field in record.fields {
         match field.ty {
-            Type::Words(words) | Type::CountOr(words) => {
+            Type::Words(words) | Type::CountOr(words) | Type::Paths(Some(words)) => {
                 text.push('\n');
                 let one = |(word, doc): &(&str, &str)| {
                     format!("- `{}: {word}`: {}\n", field.word, flow(doc))

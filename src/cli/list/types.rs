@@ -55,6 +55,11 @@ pub fn form(ty: Type) -> String {
             let all: Vec<_> = words.all.iter().map(|(word, _)| *word).collect();
             format!("whole number, or {}", all.join(", "))
         }
+        Type::Paths(None) => "path expression in quotes".to_string(),
+        Type::Paths(Some(words)) => {
+            let all: Vec<_> = words.all.iter().map(|(word, _)| *word).collect();
+            format!("path expression in quotes, or {}", all.join(", "))
+        }
         Type::OneOf(variants) => {
             let all: Vec<_> = variants.all.iter().map(|variant| variant.word).collect();
             format!("{}: one of {}", variants.name, all.join(", "))

@@ -203,8 +203,9 @@ fn one(
     let cautious = rhythm.round > 1;
     let forecast = Forecast::new(&pilot, pixels, &rule, rhythm);
     let end = forecast.end().map_or(pilot.samples, |end| end.samples);
-    let film =
-        pixels.saturating_mul(Taken::bytes_a_pixel(end, rhythm) + 2 * size_of::<Rgb>() as u64);
+    let layers = world.film.layers;
+    let colours = (2 + layers) * size_of::<Rgb>();
+    let film = pixels.saturating_mul(Taken::bytes_a_pixel(end, layers, rhythm) + colours as u64);
     let samples = end.saturating_mul(pixels);
     let biases = bias::measured(stage, &mut prepared, samples, sources, &watch);
     let features = plan.answers.iter().map(|answer| {

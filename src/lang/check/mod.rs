@@ -1,6 +1,7 @@
 //! Values land on types: the one place where words, records and quantities get their meaning.
 
 mod choices;
+mod paths;
 mod quantities;
 mod spectral;
 
@@ -191,6 +192,7 @@ impl<'a> Checker<'a> {
                     None
                 }
             },
+            Type::Paths(words) => paths::paths(ev, value, *words, &what),
             Type::OneOf(variants) => self.one_of(value, variants, place),
             Type::Record(record) => match &value.kind {
                 ValueKind::Record(found) if found.word.is_none() && found.base.is_none() => {
@@ -374,6 +376,7 @@ impl<'a> Checker<'a> {
             Type::Count | Type::CountOr(_) => "1".into(),
             Type::Switch => "on".into(),
             Type::Text => "\"…\"".into(),
+            Type::Paths(_) => "\"L .* E\"".into(),
             Type::File => "\"…\"".into(),
             Type::Point => "(0, 0, 0)".into(),
             Type::Direction => "y".into(),

@@ -170,6 +170,13 @@ impl Display for Node {
     }
 }
 
+impl Display for Expression {
+    /// With one blank between letters.
+    fn fmt(&self, f: &mut Formatter) -> fmt::Result {
+        self.root.fmt(f)
+    }
+}
+
 impl Expression {
     /// Reads an expression; else all that is wrong with it, in the order of the text.
     pub fn parse(text: &str) -> Result<Self, Vec<Fault>> {

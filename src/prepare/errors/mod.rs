@@ -1,3 +1,4 @@
 //! Faults that show when a scene is put together.
 
+pub(super) mod paths;
 pub(super) mod scene;

@@ -34,12 +34,12 @@ pub struct PixelSums {
 }
 
 impl Begun {
-    /// Nothing yet of so many pixels, in the block of that number.
-    pub fn new(pixels: usize, block: u64, rhythm: Rhythm) -> Self {
+    /// Nothing yet of so many pixels and layers, in the block of that number.
+    pub fn new([pixels, layers]: [usize; 2], block: u64, rhythm: Rhythm) -> Self {
         let nothing = |needed: bool| vec![[0.0; 3]; if needed { pixels } else { 0 }];
         let rounds = rhythm.round > 1;
         Self {
-            whole: Sums::new(pixels),
+            whole: Sums::new(pixels, layers),
             part: nothing(rounds),
             within: nothing(rounds && block == 0),
         }
@@ -67,6 +67,11 @@ impl Begun {
         if let Some(within) = pixel.within {
             self.within[index] = within;
         }
+    }
+
+    /// The sums of every layer of a pixel, of which there are so many.
+    pub fn layers(&mut self, index: usize, layers: usize) -> &mut [[f64; 3]] {
+        &mut self.whole.layers[index * layers..(index + 1) * layers]
     }
 
     /// What is counted beside light.

@@ -9,7 +9,7 @@ mod taken;
 mod window;
 
 pub use begun::Begun;
-pub use develop::{Developed, develop, samples};
+pub use develop::{Developed, develop, layers, samples};
 pub use filter::Filter;
 pub use taken::{Taken, TileMeans};
 pub use window::{Tile, Window};
@@ -23,6 +23,8 @@ pub struct Film {
     pub window: Window,
     /// How samples around a pixel's centre are weighed.
     pub filter: Filter,
+    /// Pictures beside it, each of the light of some paths.
+    pub layers: usize,
 }
 
 impl Film {

@@ -13,24 +13,29 @@ pub struct Sums {
     pub(super) squares: Vec<[f64; 3]>,
     /// The largest |x|.
     pub(super) largest: Vec<[f32; 3]>,
+    /// Σx of every layer of the first pixel, of the second, and so on; over all samples, those of
+    /// a round that is begun too.
+    pub(super) layers: Vec<[f64; 3]>,
     /// What was counted on the way.
     pub(super) counts: Counts,
 }
 
 impl Sums {
     /// Nothing yet.
-    pub(super) fn new(pixels: usize) -> Self {
+    pub(super) fn new(pixels: usize, layers: usize) -> Self {
         Self {
             sums: vec![[0.0; 3]; pixels],
             squares: vec![[0.0; 3]; pixels],
             largest: vec![[0.0; 3]; pixels],
+            layers: vec![[0.0; 3]; pixels * layers],
             counts: Counts::default(),
         }
     }
 
-    /// Whether there are so many pixels in every sum.
-    pub(super) fn fits(&self, pixels: usize) -> bool {
+    /// Whether there are so many pixels in every sum, and so many layers of each.
+    pub(super) fn fits(&self, pixels: usize, layers: usize) -> bool {
         [self.sums.len(), self.squares.len(), self.largest.len()] == [pixels; 3]
+            && Some(self.layers.len()) == pixels.checked_mul(layers)
     }
 
     /// Adds the sums of other rounds of the same pixels. `rounds` and `others` are how many rounds
@@ -48,6 +53,9 @@ impl Sums {
                 let largest = &mut self.largest[i][channel];
                 *largest = largest.max(other.largest[i][channel]);
             }
+        }
+        for (sum, added) in self.layers.iter_mut().zip(&other.layers) {
+            (0..3).for_each(|channel| sum[channel] += added[channel]);
         }
         self.counts.add(&other.counts);
     }

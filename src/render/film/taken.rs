@@ -20,6 +20,8 @@ pub struct Taken {
     /// The first sample: a whole number of blocks, 0 but for a slice.
     first: u64,
     rhythm: Rhythm,
+    /// Layers of each pixel.
+    layers: usize,
     /// In the order of [`Film::tiles`].
     tiles: Vec<TileTaken>,
 }
@@ -69,12 +71,13 @@ impl Taken {
     pub fn new(film: &Film, rhythm: Rhythm, first: u64) -> Self {
         assert!(first.is_multiple_of(rhythm.block), "slices are of whole blocks");
         let nothing = TileTaken { end: first, branches: Vec::new(), begun: None };
-        Self { first, rhythm, tiles: vec![nothing; film.tiles().len()] }
+        let tiles = vec![nothing; film.tiles().len()];
+        Self { first, rhythm, layers: film.layers, tiles }
     }
 
-    /// Whether this can be of such a part of a film, and all parts of it fit together: to be asked
-    /// of what was read from a file.
-    pub fn fits(&self, window: &Window, rhythm: Rhythm) -> bool {
+    /// Whether this can be of such a part of a film with so many layers, and all parts of it fit
+    /// together: to be asked of what was read from a file.
+    pub fn fits(&self, window: &Window, layers: usize, rhythm: Rhythm) -> bool {
         if !window.has_tiles(self.tiles.len()) {
             return false;
         }
@@ -87,7 +90,7 @@ impl Taken {
                 let blocks = 1_u64.checked_shl(branch.level).unwrap_or(u64::MAX);
                 let start = branch.index.checked_mul(blocks);
                 let end = block.saturating_add(blocks);
-                let fits = start == Some(block) && end <= last && branch.sums.fits(pixels);
+                let fits = start == Some(block) && end <= last && branch.sums.fits(pixels, layers);
                 block = end;
                 fits
             });
@@ -96,24 +99,24 @@ impl Taken {
                 && match (&taken.begun, begun) {
                     (None, begun) => begun == Some(0),
                     (Some(sums), Some(begun)) => {
-                        let like = Begun::new(pixels, block, rhythm);
+                        let like = Begun::new([pixels, 0], block, rhythm);
                         (1..rhythm.block).contains(&begun)
-                            && sums.whole.fits(pixels)
+                            && sums.whole.fits(pixels, layers)
                             && sums.part.len() == like.part.len()
                             && sums.within.len() == like.within.len()
                     }
                     (Some(_), None) => false,
                 }
         };
-        self.rhythm == rhythm
+        (self.layers, self.rhythm) == (layers, rhythm)
             && self.first.is_multiple_of(rhythm.block)
             && tiles.iter().zip(&self.tiles).all(|(tile, taken)| whole(tile, taken))
     }
 
     /// Whether it [fits](Self::fits) such a part of a film, with some sampler's rhythm: to be asked
     /// where there is no world.
-    pub fn is_sound(&self, window: &Window) -> bool {
-        self.rhythm.is_sound() && self.fits(window, self.rhythm)
+    pub fn is_sound(&self, window: &Window, layers: usize) -> bool {
+        self.rhythm.is_sound() && self.fits(window, layers, self.rhythm)
     }
 
     /// The first sample: 0 but for a slice.
@@ -157,7 +160,7 @@ impl Taken {
 
     /// Adds the slice that follows, of the same film. None if it does not follow at once.
     pub fn join(mut self, next: Self) -> Option<Self> {
-        let follows = self.rhythm == next.rhythm
+        let follows = (self.rhythm, self.layers) == (next.rhythm, next.layers)
             && self.tiles.len() == next.tiles.len()
             && self.tiles.iter().all(|tile| tile.begun.is_none() && tile.end == next.first);
         if !follows {
@@ -183,13 +186,27 @@ impl Taken {
         all
     }
 
-    /// Bytes a pixel while a render goes on to so many samples: the sums kept, and those of the
-    /// pass at work.
-    pub fn bytes_a_pixel(samples: u64, rhythm: Rhythm) -> u64 {
-        let sums = (2 * size_of::<[f64; 3]>() + size_of::<[f32; 3]>()) as u64;
+    /// Bytes a pixel with so many layers while a render goes on to so many samples: the sums kept,
+    /// and those of the pass at work.
+    pub fn bytes_a_pixel(samples: u64, layers: usize, rhythm: Rhythm) -> u64 {
+        let sums = ((2 + layers) * size_of::<[f64; 3]>() + size_of::<[f32; 3]>()) as u64;
         let begun = if rhythm.round > 1 { 2 * size_of::<[f64; 3]>() as u64 } else { 0 };
         let branches = u64::from(u64::BITS - (samples / rhythm.block).leading_zeros());
         branches * sums + 2 * (sums + begun)
+    }
+
+    /// The means of every layer of the first pixel of a tile, of the second, and so on; nothing
+    /// where there is no sample. `light_unit` as in [`crate::render::World`].
+    pub fn layer_means(&self, tile: usize, light_unit: f64) -> Vec<[f64; 3]> {
+        let taken = &self.tiles[tile];
+        let Some((sums, _)) = self.sums(taken) else { return Vec::new() };
+        let scale = light_unit / (taken.end - self.first) as f64;
+        sums.layers.iter().map(|sum| sum.map(|value| value * scale)).collect()
+    }
+
+    /// Layers of each pixel.
+    pub fn layers(&self) -> usize {
+        self.layers
     }
 
     /// What the samples tell, tile by tile; `light_unit` as in [`crate::render::World`].
@@ -297,7 +314,7 @@ mod tests {
 
     fn film() -> Film {
         let window = Window { x0: 0, y0: 0, x1: 1, y1: 1 };
-        Film { size: [1, 1], window, filter: Filter::Box { radius: 0.5 } }
+        Film { size: [1, 1], window, filter: Filter::Box { radius: 0.5 }, layers: 2 }
     }
 
     /// Sample i of the only pixel: irregular, and of a large mean.
@@ -309,12 +326,15 @@ mod tests {
     fn take(mut taken: Taken, rhythm: Rhythm, cuts: &[u64]) -> Taken {
         for &end in cuts {
             let start = taken.end(0);
-            let fresh = || Begun::new(1, start / rhythm.block, rhythm);
+            let fresh = || Begun::new([1, 2], start / rhythm.block, rhythm);
             let mut begun = taken.begun(0).cloned().unwrap_or_else(fresh);
             let mut pixel = begun.pixel(0);
             for i in start..end {
                 pixel.add([value(i), -value(i), 0.0], i % rhythm.block, rhythm);
                 begun.counts().rays += 1;
+                for (layer, sum) in begun.layers(0, 2).iter_mut().enumerate() {
+                    sum[layer] += value(i) / 3.0;
+                }
             }
             begun.put(0, &pixel);
             taken.put(0, begun, end);
@@ -345,6 +365,9 @@ mod tests {
             assert_eq!(pixel.variance[2], 0.0);
             let largest = (0..end).map(value).fold(0.0, f64::max) / end as f64;
             assert!((pixel.largest[0] / largest - 1.0).abs() < 1e-6);
+            let layers = from(0, SINGLE, &cuts).layer_means(0, 1.0);
+            assert_eq!((layers[0][1], layers[1][0], layers.len()), (0.0, 0.0, 2));
+            assert!([layers[0][0], layers[1][1]].iter().all(|x| (3.0 * x - mean).abs() < 1e-9));
         }
     }
 
@@ -407,7 +430,7 @@ mod tests {
         // Twenty million samples of about a thousand, of which f32 would have lost four fifths.
         let rhythm = Sampler::Independent.rhythm();
         let mut taken = Taken::new(&film(), rhythm, 0);
-        let mut block = Begun::new(1, 1, rhythm);
+        let mut block = Begun::new([1, 2], 1, rhythm);
         let mut pixel = block.pixel(0);
         (0..64).for_each(|i| pixel.add([0.1; 3], i, rhythm));
         block.put(0, &pixel);
@@ -422,15 +445,16 @@ mod tests {
     #[test]
     fn what_does_not_fit_together_is_refused() {
         let good = from(0, ROUNDS, &[12, 24, 36, 40]);
-        assert!(good.fits(&film().window, ROUNDS));
-        assert!(from(24, ROUNDS, &[36, 48]).fits(&film().window, ROUNDS));
-        assert!(Taken::new(&film(), ROUNDS, 12).fits(&film().window, ROUNDS));
-        assert!(!good.fits(&film().window, SINGLE));
+        assert!(good.fits(&film().window, 2, ROUNDS));
+        assert!(from(24, ROUNDS, &[36, 48]).fits(&film().window, 2, ROUNDS));
+        assert!(Taken::new(&film(), ROUNDS, 12).fits(&film().window, 2, ROUNDS));
+        assert!(!good.fits(&film().window, 2, SINGLE));
         let mut wide = film();
         wide.window.x1 = 2;
-        assert!(!good.fits(&wide.window, ROUNDS));
+        assert!(!good.fits(&wide.window, 2, ROUNDS));
         type Break = fn(&mut TileTaken);
-        let breaks: [Break; 9] = [
+        assert!(!good.fits(&film().window, 3, ROUNDS));
+        let breaks: [Break; 10] = [
             |tile| tile.end = 41 + 12,
             |tile| tile.end = 36,
             |tile| tile.end = u64::MAX,
@@ -439,15 +463,16 @@ mod tests {
             |tile| tile.branches[0].level = 64,
             |tile| tile.branches[1].index = u64::MAX,
             |tile| tile.branches[0].sums.squares.clear(),
+            |tile| tile.branches[0].sums.layers.clear(),
             |tile| tile.begun.as_mut().unwrap().part.push([0.0; 3]),
         ];
         for (i, change) in breaks.into_iter().enumerate() {
             let mut bad = good.clone();
             change(&mut bad.tiles[0]);
-            assert!(!bad.fits(&film().window, ROUNDS), "{i}");
+            assert!(!bad.fits(&film().window, 2, ROUNDS), "{i}");
         }
         let mut bad = good.clone();
         bad.first = 5;
-        assert!(!bad.fits(&film().window, ROUNDS));
+        assert!(!bad.fits(&film().window, 2, ROUNDS));
     }
 }

@@ -1,0 +1,49 @@
+//! Layers of the scene → the automaton that says to which of them a path belongs.
+
+use super::errors::paths as errors;
+use crate::diag::Diagnostic;
+use crate::math::paths::{Automaton, TooLarge};
+use crate::scene::{Layer, Only, Scene};
+
+/// What channels of the EXR are called beside those of layers.
+const TAKEN: [&str; 2] = ["error", "samples"];
+
+/// Says of each path where its light goes; None where all of it goes to the picture alone, or
+/// something is wrong, which is told.
+pub(super) fn automaton(scene: &Scene, found: &mut Vec<Diagnostic>) -> Option<Automaton> {
+    let before = found.len();
+    names(scene, found);
+    let (picture, which) = scene.which_paths();
+    let only = scene.layers.iter().map(|layer| {
+        let Layer::PathsLayer(layer) = &*layer.value;
+        &layer.only
+    });
+    let mut others = only.clone().filter(|only| only.value == Only::Others);
+    if let (Some(first), Some(second)) = (others.next(), others.next()) {
+        found.push(errors::others_twice(second.span, first.span));
+    }
+    if found.len() > before || (which.is_empty() && picture.is_none()) {
+        return None;
+    }
+    let made = Automaton::new(picture, &which);
+    let last = || only.last().map_or(scene.integrator.span, |only| only.span);
+    made.map_err(|too_large: TooLarge| found.push(errors::too_large(too_large, last()))).ok()
+}
+
+/// Layers are channels of a file.
+fn names(scene: &Scene, found: &mut Vec<Diagnostic>) {
+    for layer in &scene.layers {
+        let name = &layer.name;
+        let allowed = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
+        let sound = !name.is_empty()
+            && name.len() <= 100
+            && name.chars().all(allowed)
+            && !name.starts_with('.')
+            && !name.ends_with('.');
+        if !sound {
+            found.push(errors::bad_name(name));
+        } else if TAKEN.contains(&name.as_str()) {
+            found.push(errors::taken_name(name));
+        }
+    }
+}
