@@ -15,6 +15,7 @@ pub mod whole;
 pub mod hold;
 pub mod exr;
 pub mod png;
+pub mod svg;
 pub mod checkpoint;
 pub mod obj;
 pub mod mtl;

@@ -22,13 +22,35 @@ pub fn write(
     exposure: f64,
     metadata: &Metadata,
 ) -> Result<(), Failure> {
-    let bytes = encoded(picture, exposure)?;
-    let side = |length: usize| {
-        u32::try_from(length).map_err(|_| Failure::new("is too wide or too high for a PNG"))
-    };
-    let (width, height) = (side(picture.width)?, side(picture.height)?);
-    whole::write(path, |file| {
-        let mut encoder = png::Encoder::new(file, width, height);
+    let encoded = Encoded::new(picture, exposure)?;
+    whole::write(path, |file| encoded.write(file, metadata))
+}
+
+/// The bytes of the file that [`write`] would write, without words.
+pub(super) fn bytes(picture: &Picture) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    Encoded::new(picture, 1.0)?.write(&mut bytes, &Metadata::new())?;
+    Ok(bytes)
+}
+
+/// A picture as it goes into a file.
+struct Encoded {
+    width: u32,
+    height: u32,
+    bytes: Vec<u8>,
+}
+
+impl Encoded {
+    fn new(picture: &Picture, exposure: f64) -> Result<Self, Failure> {
+        let side = |length: usize| {
+            u32::try_from(length).map_err(|_| Failure::new("is too wide or too high for a PNG"))
+        };
+        let bytes = encoded(picture, exposure)?;
+        Ok(Self { width: side(picture.width)?, height: side(picture.height)?, bytes })
+    }
+
+    fn write(&self, to: impl std::io::Write, metadata: &Metadata) -> Result<(), Failure> {
+        let mut encoder = png::Encoder::new(to, self.width, self.height);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_source_srgb(png::SrgbRenderingIntent::RelativeColorimetric);
@@ -36,9 +58,9 @@ pub fn write(
             encoder.add_itxt_chunk(key.clone(), value.clone()).map_err(unwritten)?;
         }
         let mut writer = encoder.write_header().map_err(unwritten)?;
-        writer.write_image_data(&bytes).map_err(unwritten)?;
+        writer.write_image_data(&self.bytes).map_err(unwritten)?;
         writer.finish().map_err(unwritten)
-    })
+    }
 }
 
 /// Reads a PNG of any kind as linear colour in [0, 1], taking what it holds for sRGB whatever it

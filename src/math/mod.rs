@@ -5,6 +5,7 @@
 mod bounds;
 #[cfg(test)]
 pub(crate) mod chi_squared;
+mod lines;
 mod mean;
 mod mesh;
 pub mod paths;
@@ -19,6 +20,7 @@ pub mod units;
 pub mod warp;
 
 pub use bounds::Bounds;
+pub use lines::{Lines, clipped};
 pub use mean::MeanPixel;
 pub use mesh::Mesh;
 pub use picture::Picture;

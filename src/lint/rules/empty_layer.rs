@@ -39,7 +39,8 @@ enum Followed {
 fn followed(integrator: &Integrator) -> Followed {
     let paths = match integrator {
         Integrator::Preview(_) => return Followed::Nothing,
-        Integrator::Direct(_) => "L (D | G)? S* E",
+        Integrator::Ambient(_) | Integrator::Direct(_) => "L (D | G)? S* E",
+        Integrator::Path(_) => return Followed::All,
     };
     Expression::parse(paths).map_or(Followed::All, Followed::Only)
 }

@@ -4,6 +4,8 @@ mod perspective;
 
 pub use perspective::{Floor, Perspective};
 
+use glam::DVec3;
+
 use super::geometry::Ray;
 
 /// Where the picture is taken from.
@@ -19,6 +21,14 @@ impl Camera {
     pub fn ray(&self, x: f64, y: f64) -> Ray {
         match self {
             Self::Perspective(camera) => camera.ray(x, y),
+        }
+    }
+
+    /// Where the part of the line from `from` to `to` that is before the camera lies on the film;
+    /// None if all of it is behind.
+    pub fn projected(&self, from: DVec3, to: DVec3) -> Option<[[f64; 2]; 2]> {
+        match self {
+            Self::Perspective(camera) => camera.projected(from, to),
         }
     }
 

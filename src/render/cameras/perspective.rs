@@ -25,6 +25,9 @@ pub struct Perspective {
     floors: Vec<Floor>,
 }
 
+/// Lines are cut off before the camera, at so many parts of their larger distance.
+const NEAR: f64 = 1e-6;
+
 /// A plane without end, in f64: it can be met before the rest of the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Floor {
@@ -85,6 +88,28 @@ impl Perspective {
         Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_max: f32::INFINITY }
     }
 
+    /// Where the part of a line before the camera lies on the film.
+    pub(super) fn projected(&self, from: DVec3, to: DVec3) -> Option<[[f64; 2]; 2]> {
+        let ends = [from - self.eye, to - self.eye];
+        let depths = ends.map(|end| self.forward.dot(end));
+        // At the eye itself a line has no place on the film; short of it, one that is far away.
+        let near = NEAR * ends[0].length().max(ends[1].length());
+        if !(depths[0] > near || depths[1] > near) {
+            return None;
+        }
+        let place = |end: usize| {
+            let (mut point, mut depth) = (ends[end], depths[end]);
+            if depth < near {
+                let other = 1 - end;
+                let part = (near - depth) / (depths[other] - depth);
+                (point, depth) = (point.lerp(ends[other], part), near);
+            }
+            let along = |axis: DVec3| point.dot(axis) / axis.length_squared() / depth;
+            [self.middle[0] + along(self.right), self.middle[1] + along(self.down)]
+        };
+        Some([place(0), place(1)])
+    }
+
     /// Length of the way from the eye on which there is nothing to meet.
     fn empty(&self, direction: DVec3) -> f64 {
         let mut empty = -self.eye.dot(direction) - self.reach;
@@ -108,6 +133,24 @@ mod tests {
     fn camera(fov_deg: f64, size: [u64; 2]) -> Perspective {
         let eye = DVec3::new(0.0, 0.0, 3.0);
         Perspective::new(eye, DVec3::NEG_Z, DVec3::Y, fov_deg.to_radians(), size)
+    }
+
+    #[test]
+    fn lines_are_projected_where_their_rays_are_and_cut_behind_the_camera() {
+        let camera = camera(50.0, [40, 30]);
+        let on = |x: f64, y: f64, t: f64| {
+            let ray = camera.ray(x, y);
+            ray.origin.as_dvec3() + t * ray.direction.as_dvec3()
+        };
+        let [a, b] = camera.projected(on(3.0, 29.0, 2.0), on(50.0, -4.0, 9.0)).unwrap();
+        for (found, expected) in [(a, [3.0, 29.0]), (b, [50.0, -4.0])] {
+            assert!((0..2).all(|i| (found[i] - expected[i]).abs() < 1e-4), "{found:?}");
+        }
+        assert_eq!(camera.projected(on(3.0, 4.0, -1.0), on(5.0, 4.0, -2.0)), None);
+        // From before the camera past it: to the right, however far.
+        let beside = camera.eye + DVec3::new(1.0, 0.0, 1.0);
+        let [a, b] = camera.projected(on(20.0, 15.0, 2.0), beside).unwrap();
+        assert!((a[0] - 20.0).abs() < 1e-4 && b[0] > 1e5 && (b[1] - 15.0).abs() < 1.0, "{b:?}");
     }
 
     #[test]
