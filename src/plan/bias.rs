@@ -31,6 +31,8 @@ pub enum Kind {
     LampCentres,
     /// Three channels are multiplied in place of two spectra.
     RgbForSpectra,
+    /// Only some paths of light are shown.
+    Paths,
 }
 
 impl Kind {
@@ -47,6 +49,7 @@ impl Kind {
             Self::NoShadows => "no_shadows",
             Self::LampCentres => "lamp_centres",
             Self::RgbForSpectra => "rgb_for_spectra",
+            Self::Paths => "paths",
         }
     }
 }
@@ -90,7 +93,23 @@ pub fn biases(stage: &Stage) -> Vec<Bias> {
     all.extend(no_shadows(&survey, integrator));
     all.extend(lamp_centres(&survey, integrator));
     all.extend(spectra::biases(&survey));
+    all.extend(some_paths(integrator));
     all
+}
+
+/// None if all paths are shown.
+fn some_paths(integrator: &At<Integrator>) -> Option<Bias> {
+    let shown = integrator.paths()?;
+    Some(Bias {
+        kind: Kind::Paths,
+        setting: format!("`paths: \"{}\"`", shown.expression),
+        at: shown.span,
+        effect: "only the light of these paths is shown".to_string(),
+        brief: "only the light of some paths is shown".to_string(),
+        bound: None,
+        instead_write: "take `paths` away, or show these paths as a layer beside the picture",
+        instead: None,
+    })
 }
 
 fn preview(at: Span) -> Bias {

@@ -18,12 +18,20 @@ pub enum Feature {
     Normals,
     /// Where on its surface a hit lies.
     Coordinates,
+    /// For each path of light, to which layer it belongs, or whether it is shown at all.
+    Paths,
 }
 
 impl Feature {
     /// All of them, in the order in which they are told.
-    pub const ALL: [Self; 5] =
-        [Self::Lights, Self::ShadowRays, Self::LampPoints, Self::Normals, Self::Coordinates];
+    pub const ALL: [Self; 6] = [
+        Self::Lights,
+        Self::ShadowRays,
+        Self::LampPoints,
+        Self::Normals,
+        Self::Coordinates,
+        Self::Paths,
+    ];
 
     /// The word that machines read.
     pub fn word(self) -> &'static str {
@@ -33,6 +41,7 @@ impl Feature {
             Self::LampPoints => "lamp_points",
             Self::Normals => "normals",
             Self::Coordinates => "coordinates",
+            Self::Paths => "paths",
         }
     }
 
@@ -44,6 +53,7 @@ impl Feature {
             Self::LampPoints => "points on lamps",
             Self::Normals => "smooth normals",
             Self::Coordinates => "texture coordinates",
+            Self::Paths => "paths told apart",
         }
     }
 }
@@ -100,6 +110,7 @@ impl Plan {
                 Feature::Coordinates => {
                     (Need::Unneeded, "no material reads a texture".to_string(), None)
                 }
+                Feature::Paths => paths(stage, integrator),
             };
             Answer { feature, need, why, at }
         });
@@ -205,6 +216,20 @@ impl Asked<'_> {
             }
             None => (Need::Unneeded, "no light has an extent".to_string(), None),
         }
+    }
+}
+
+fn paths(stage: &Stage, integrator: &Integrator) -> Reason {
+    match (integrator.paths(), stage.scene.layers.first()) {
+        (Some(shown), _) => {
+            let why = format!("only `{}` is shown", shown.expression);
+            (Need::Required, why, Some(shown.span))
+        }
+        (None, Some(layer)) => {
+            let why = format!("the layer `{}` shows some of them", *layer.name);
+            (Need::Required, why, Some(layer.name.span))
+        }
+        (None, None) => (Need::Unneeded, "all of them go to the picture".to_string(), None),
     }
 }
 

@@ -162,7 +162,7 @@ fn assemble(
 
     let bodies = objects::place(stage, &mut found);
     film::check(scene, settings, &mut found);
-    let paths = paths::automaton(scene, &mut found);
+    let paths = paths::automaton(scene, plan, &mut found);
     if bodies.len() < scene.objects.len() {
         // What is missing would be missed everywhere: tell no consequences, only other faults.
         lights::unit(scene, &bodies, &mut found);

@@ -3,14 +3,19 @@
 use super::errors::paths as errors;
 use crate::diag::Diagnostic;
 use crate::math::paths::{Automaton, TooLarge};
+use crate::plan::{Feature, Plan};
 use crate::scene::{Layer, Only, Scene};
 
 /// What channels of the EXR are called beside those of layers.
 const TAKEN: [&str; 2] = ["error", "samples"];
 
-/// Says of each path where its light goes; None where all of it goes to the picture alone, or
-/// something is wrong, which is told.
-pub(super) fn automaton(scene: &Scene, found: &mut Vec<Diagnostic>) -> Option<Automaton> {
+/// Says of each path where its light goes. None where the plan leaves it out, and all light goes to
+/// the picture alone; or something is wrong, which is told.
+pub(super) fn automaton(
+    scene: &Scene,
+    plan: &Plan,
+    found: &mut Vec<Diagnostic>,
+) -> Option<Automaton> {
     let before = found.len();
     names(scene, found);
     let (picture, which) = scene.which_paths();
@@ -22,7 +27,7 @@ pub(super) fn automaton(scene: &Scene, found: &mut Vec<Diagnostic>) -> Option<Au
     if let (Some(first), Some(second)) = (others.next(), others.next()) {
         found.push(errors::others_twice(second.span, first.span));
     }
-    if found.len() > before || (which.is_empty() && picture.is_none()) {
+    if found.len() > before || !plan.builds(Feature::Paths) {
         return None;
     }
     let made = Automaton::new(picture, &which);

@@ -13,6 +13,7 @@ use super::film::{Begun, Taken, Tile};
 use super::geometry::Ray;
 use super::integrators::Carrier;
 use super::samplers::Stream;
+use crate::math::Rgb;
 
 /// What a pass is asked to do.
 pub struct Job<'a> {
@@ -111,17 +112,19 @@ where
     let size = [tile.pixels() as usize, world.film.layers];
     let fresh = || Begun::new(size, block, rhythm);
     let mut begun = from.cloned().unwrap_or_else(fresh);
-    let mut carrier = Carrier::new(*begun.counts());
+    let mut carrier = Carrier::new(world, *begun.counts());
     for (index, (x, y)) in tile.places().enumerate() {
         let mut pixel = begun.pixel(index);
         for (nth, sample) in (first..).zip(job.samples.clone()) {
-            let mut stream = world.sampler.stream(job.seed, world.film.index(x, y), sample);
-            let (dx, dy, weight) = world.film.filter.sample(stream.pair());
-            let ray = world.camera.ray(x as f64 + 0.5 + dx, y as f64 + 0.5 + dy);
-            carrier.counts.rays += 1;
-            radiance(&ray, &mut stream, &mut carrier);
+            let weight = take(world, job.seed, [x, y], sample, &mut carrier, radiance);
+            let weighed = |radiance: Rgb| radiance.to_array().map(|x| weight * f64::from(x));
             let value = if carrier.radiance.is_finite() {
-                carrier.radiance.to_array().map(|component| weight * f64::from(component))
+                let sums = begun.layers(index, world.film.layers);
+                for (sum, layer) in sums.iter_mut().zip(&carrier.layers) {
+                    let value = weighed(*layer);
+                    (0..3).for_each(|channel| sum[channel] += value[channel]);
+                }
+                weighed(carrier.radiance)
             } else {
                 let first = Place { y, x, sample, object: carrier.object };
                 let invalid = Some(Invalid { count: 1, first });
@@ -134,6 +137,27 @@ where
     }
     *begun.counts() = carrier.counts;
     begun
+}
+
+/// Takes one sample of a pixel: what it finds is in the carrier. Returns what the filter makes of
+/// it, as a factor.
+pub(super) fn take<F>(
+    world: &World,
+    seed: u64,
+    [x, y]: [u64; 2],
+    sample: u64,
+    carrier: &mut Carrier,
+    radiance: &F,
+) -> f64
+where
+    F: Fn(&Ray, &mut Stream, &mut Carrier),
+{
+    let mut stream = world.sampler.stream(seed, world.film.index(x, y), sample);
+    let (dx, dy, weight) = world.film.filter.sample(stream.pair());
+    let ray = world.camera.ray(x as f64 + 0.5 + dx, y as f64 + 0.5 + dy);
+    carrier.counts.rays += 1;
+    radiance(&ray, &mut stream, carrier);
+    weight
 }
 
 /// The most threads for each processor: more of them only take each other's time.

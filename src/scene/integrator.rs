@@ -2,7 +2,7 @@
 
 use super::schema::Range;
 use super::vocabulary::vocabulary;
-use super::{Count, Depth, Length, LightCount, Switch};
+use super::{At, Count, Depth, Length, LightCount, Paths, Switch};
 use crate::diag::Span;
 
 vocabulary! {
@@ -29,6 +29,9 @@ vocabulary! {
             splits: Splits = "{}";
             /// By what chance a ray is ended at mirrors, glass and metal.
             roulette: Roulette = "throughput";
+            /// Which paths of light the picture shows, such as `"L S+ D E"`, caustics. Left out: all
+            /// that are followed.
+            paths: Option<Paths>;
         }
         /// Light that went from a lamp or another light to a surface that scatters it, and from
         /// there to the camera, straight or by mirrors, glass and metal; and no further.
@@ -50,6 +53,9 @@ vocabulary! {
             splits: Splits = "{}";
             /// By what chance a ray is ended at mirrors, glass and metal.
             roulette: Roulette = "throughput";
+            /// Which paths of light the picture shows, such as `"L S+ D E"`, caustics. Left out: all
+            /// that are followed.
+            paths: Option<Paths>;
         }
         /// All light, however often it was scattered: paths from the camera.
         "path" => Path {
@@ -71,6 +77,9 @@ vocabulary! {
             /// How often light may be scattered. Light from a lamp to a surface to the camera was
             /// scattered once.
             depth: Depth = "unlimited", Range::between(0.0, 1e6);
+            /// Which paths of light the picture shows, such as `"L S+ D E"`, caustics. Left out: all
+            /// that are followed.
+            paths: Option<Paths>;
         }
         /// What is where: colours, shaded by a light at the camera. No lamps, no shadows.
         "preview" => Preview {}
@@ -120,6 +129,17 @@ impl Integrator {
     /// Whether any light is followed.
     pub fn follows_light(&self) -> bool {
         !matches!(self, Self::Preview(_))
+    }
+
+    /// Which paths of light are shown, if not all; and where that is said.
+    pub fn paths(&self) -> Option<At<&Paths>> {
+        let paths = match self {
+            Self::Ambient(ambient) => &ambient.paths,
+            Self::Direct(direct) => &direct.paths,
+            Self::Path(path) => &path.paths,
+            Self::Preview(_) => return None,
+        };
+        paths.as_ref().map(|shown| At::new(shown, paths.span))
     }
 
     /// Whether lamps and other lights shine on surfaces, and where that is said if they do not.

@@ -128,7 +128,7 @@ impl Scene {
                 Only::Others => Which::Others,
             }
         });
-        (None, layers.collect())
+        (self.integrator.paths().map(|shown| &shown.value.expression), layers.collect())
     }
 
     /// The material a reference names.

@@ -48,6 +48,7 @@ pub fn integrator(shadows: bool, area_lights: scene::AreaLights) -> scene::Integ
         specular_depth: at(scene::Depth::Most(10)),
         splits: at(splits(0, 0, 1)),
         roulette: at(scene::Roulette::Throughput),
+        paths: at(None),
     })
 }
 
@@ -62,6 +63,7 @@ pub fn path() -> scene::Path {
         roulette: at(scene::Roulette::Throughput),
         roulette_after: at(scene::Count(3)),
         depth: at(scene::Depth::Unlimited),
+        paths: at(None),
     }
 }
 

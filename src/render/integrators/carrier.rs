@@ -1,18 +1,26 @@
 //! What a sample carries along: what it found, and by which paths.
 
+use super::traced::{Source, Tracing};
 use crate::math::Rgb;
-use crate::math::paths::Event;
+use crate::math::paths::{Automaton, End, Event};
+use crate::render::World;
 use crate::render::geometry::{Hit, Ray};
 use crate::render::lights::Site;
 use crate::render::materials::{Bsdf, Scattered};
 use crate::render::tiles::Counts;
 
 /// What a sample brings home.
-pub struct Carrier {
+pub struct Carrier<'w> {
     /// What is counted.
     pub counts: Counts,
     /// Radiance along the camera's ray, in light units.
     pub radiance: Rgb,
+    /// The part of it that belongs to each layer.
+    pub layers: Vec<Rgb>,
+    /// Which paths belong where; None: all to the picture alone.
+    paths: Option<&'w Automaton>,
+    /// The paths themselves, where they are asked for.
+    pub(super) traced: Option<Tracing>,
     /// Number of the object that the camera's ray met.
     pub object: Option<u32>,
     /// Rays that wait to be followed; kept from sample to sample, for its memory.
@@ -40,31 +48,82 @@ pub(super) struct Branch {
     pub mirrored: u32,
 }
 
-/// Where a path stands among those that are asked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Trail(u16);
+/// Where a path stands among those that are asked for, and which one it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Trail {
+    /// Of the automaton.
+    state: u16,
+    /// Number of its last surface among those that are traced; [`Tracing::EYE`] if it has none.
+    last: u32,
+}
 
-impl Carrier {
-    /// With these counts, and nothing found.
-    pub fn new(counts: Counts) -> Self {
-        Self { counts, radiance: Rgb::BLACK, object: None, waiting: Vec::new() }
+impl<'w> Carrier<'w> {
+    /// With these counts, and nothing found, for a film of this world.
+    pub fn new(world: &'w World, counts: Counts) -> Self {
+        Self {
+            counts,
+            radiance: Rgb::BLACK,
+            layers: vec![Rgb::BLACK; world.film.layers],
+            paths: world.paths.as_ref(),
+            traced: None,
+            object: None,
+            waiting: Vec::new(),
+        }
     }
 
     /// Begins a sample.
     pub fn start(&mut self) -> Trail {
         self.radiance = Rgb::BLACK;
+        self.layers.fill(Rgb::BLACK);
         self.object = None;
         self.waiting.clear();
-        Trail::default()
+        if let Some(traced) = &mut self.traced {
+            traced.clear();
+        }
+        Trail { state: Automaton::START, last: Tracing::EYE }
     }
 
-    /// A path goes on by one more event.
-    pub fn after(&self, trail: Trail, _event: Event) -> Trail {
-        trail
+    /// A path goes on by one more event, where it has hit a surface.
+    pub fn after(&mut self, trail: Trail, event: Event, hit: &Hit) -> Trail {
+        let state = self.paths.map_or(trail.state, |paths| paths.after(trail.state, event));
+        let last = match &mut self.traced {
+            None => trail.last,
+            Some(traced) => traced.after(trail.last, event, hit.position),
+        };
+        Trail { state, last }
+    }
+
+    /// A ray goes on behind an event, and is followed later; not if nothing is shown of its path,
+    /// however it goes on.
+    pub(super) fn follow(&mut self, branch: Branch, event: Event, hit: &Hit) {
+        let trail = self.after(branch.trail, event, hit);
+        if !self.paths.is_some_and(|paths| paths.is_dead(trail.state)) {
+            self.waiting.push(Branch { trail, ..branch });
+        }
+    }
+
+    /// Whether nothing is shown of a path that comes to a light now.
+    pub fn is_hidden(&self, trail: Trail) -> bool {
+        self.paths.is_some_and(|paths| paths.end(trail.state) == End::Outside)
     }
 
     /// A path has come to a light, and brings this radiance.
-    pub fn add(&mut self, _trail: Trail, radiance: Rgb) {
+    pub fn add(&mut self, trail: Trail, radiance: Rgb, source: Source) {
+        if let Some(paths) = self.paths {
+            match paths.end(trail.state) {
+                End::Outside => return,
+                End::Picture => {}
+                End::Layer(layer) => {
+                    // A film may have less of them, where only the picture is wanted.
+                    if let Some(sum) = self.layers.get_mut(usize::from(layer)) {
+                        *sum += radiance;
+                    }
+                }
+            }
+        }
+        if let Some(traced) = &mut self.traced {
+            traced.add(trail.last, radiance, source);
+        }
         self.radiance += radiance;
     }
 }
@@ -84,32 +143,25 @@ impl Branch {
         }
     }
 
-    /// The ray that goes on in one direction alone.
-    pub fn mirrored(&self, hit: &Hit, way: &Scattered, trail: Trail) -> Self {
+    /// The ray that goes on in one direction alone; its trail is still that before the surface.
+    pub fn mirrored(&self, hit: &Hit, way: &Scattered) -> Self {
         Self {
             ray: hit.ray(way.wi),
             throughput: self.throughput * way.weight * way.squeeze,
             squeeze: self.squeeze * way.squeeze,
-            trail,
             pdf_w: 0.0,
             mirrored: self.mirrored + 1,
             ..*self
         }
     }
 
-    /// One of `rays` that go on in a direction among many.
-    pub fn scattered(
-        &self,
-        hit: &Hit,
-        (bsdf, way): (&Bsdf, &Scattered),
-        rays: u32,
-        trail: Trail,
-    ) -> Self {
+    /// One of `rays` that go on in a direction among many; its trail is still that before the
+    /// surface.
+    pub fn scattered(&self, hit: &Hit, (bsdf, way): (&Bsdf, &Scattered), rays: u32) -> Self {
         Self {
             ray: hit.ray(way.wi),
             throughput: self.throughput * way.weight * way.squeeze,
             squeeze: self.squeeze * way.squeeze,
-            trail,
             site: Site::new(hit, bsdf),
             pdf_w: rays as f32 * way.pdf_w,
             scattered: self.scattered + 1,

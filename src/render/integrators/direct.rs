@@ -2,10 +2,10 @@
 //! straight or by mirrors, glass and metal; and no further. Beside it, if asked for, the light of
 //! what surrounds the scene, by rays that meet nothing (ambient occlusion).
 
-use super::carrier::{Branch, Carrier};
+use super::carrier::{Branch, Carrier, Trail};
 use super::lighting::Lighting;
 use super::roulette::Roulette;
-use super::{Ray, Stream, World};
+use super::{Ray, Source, Stream, World};
 use crate::math::Rgb;
 use crate::render::geometry::Hit;
 use crate::render::lights::Site;
@@ -42,8 +42,9 @@ impl Direct {
         carrier.waiting.push(Branch::first(ray, trail));
         while let Some(branch) = carrier.waiting.pop() {
             let Some(hit) = world.geometry.closest(&branch.ray) else {
-                let seen = world.lights.seen(branch.ray.direction);
-                carrier.add(branch.trail, branch.throughput * seen);
+                let direction = branch.ray.direction;
+                let seen = branch.throughput * world.lights.seen(direction);
+                carrier.add(branch.trail, seen, Source::Direction(direction));
                 continue;
             };
             if branch.mirrored == 0 {
@@ -51,13 +52,15 @@ impl Direct {
             }
             let material = &world.materials[hit.material as usize];
             let emission = material.emission(&hit, -branch.ray.direction);
-            carrier.add(branch.trail, branch.throughput * emission);
+            carrier.add(branch.trail, branch.throughput * emission, Source::Point(hit.position));
 
             let bsdf = material.at(&hit, -branch.ray.direction);
             if let Some(event) = bsdf.scatters() {
-                let trail = carrier.after(branch.trail, event);
-                let scattered = self.scattered(world, &hit, &bsdf, stream, carrier);
-                carrier.add(trail, branch.throughput * scattered);
+                let trail = carrier.after(branch.trail, event, &hit);
+                if !carrier.is_hidden(trail) {
+                    let on = (trail, branch.throughput);
+                    self.scattered(world, &hit, &bsdf, stream, on, carrier);
+                }
             }
             if branch.mirrored < self.specular_depth {
                 self.go_on(&branch, &hit, &bsdf, stream, carrier);
@@ -65,20 +68,21 @@ impl Direct {
         }
     }
 
-    /// What the surface scatters of all light that comes straight to it.
+    /// Brings home what the surface scatters of all light that comes straight to it, on a path
+    /// that has scattered there, times the throughput so far.
     fn scattered(
         &self,
         world: &World,
         hit: &Hit,
         bsdf: &Bsdf,
         stream: &mut Stream,
+        (trail, throughput): (Trail, Rgb),
         carrier: &mut Carrier,
-    ) -> Rgb {
-        let mut sum = Rgb::BLACK;
+    ) {
         if let Some(lighting) = &self.lighting {
             let site = Site::new(hit, bsdf);
-            let counts = &mut carrier.counts;
-            sum += lighting.scattered(world, (&site, bsdf), stream, counts, |_, _| 1.0);
+            let on = (trail, throughput);
+            lighting.ask(world, (&site, bsdf), stream, on, carrier, |_, _| 1.0);
         }
         if let Some(ambient) = &self.ambient {
             let fan = stream.fan(ambient.rays);
@@ -88,11 +92,11 @@ impl Direct {
                 let light = way.weight * world.lights.ambient(way.wi);
                 carrier.counts.shadow_rays += 1;
                 if !light.is_black() && !world.geometry.occluded(&ray) {
-                    sum += light / ambient.rays as f32;
+                    let light = throughput * light / ambient.rays as f32;
+                    carrier.add(trail, light, Source::Direction(way.wi));
                 }
             }
         }
-        sum
     }
 
     /// Sends rays on by mirrors, glass and metal.
@@ -106,8 +110,7 @@ impl Direct {
     ) {
         if branch.mirrored < self.splits {
             for way in bsdf.specular().into_iter().flatten() {
-                let trail = carrier.after(branch.trail, way.event);
-                carrier.waiting.push(branch.mirrored(hit, &way, trail));
+                carrier.follow(branch.mirrored(hit, &way), way.event, hit);
             }
             return;
         }
@@ -122,7 +125,6 @@ impl Direct {
             return;
         }
         way.weight = way.weight / survival;
-        let trail = carrier.after(branch.trail, way.event);
-        carrier.waiting.push(branch.mirrored(hit, &way, trail));
+        carrier.follow(branch.mirrored(hit, &way), way.event, hit);
     }
 }

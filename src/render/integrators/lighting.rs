@@ -1,6 +1,7 @@
 //! Next-event estimation: lights are asked at a point, each for one or several of its points.
 
-use super::{Counts, Stream, World};
+use super::carrier::{Carrier, Trail};
+use super::{Source, Stream, World};
 use crate::math::Rgb;
 use crate::render::lights::{Arrival, Light, Site};
 use crate::render::materials::Bsdf;
@@ -30,18 +31,18 @@ pub enum AreaLights {
 }
 
 impl Lighting {
-    /// Radiance that the surface scatters to the viewer of what all lights send, in light units.
-    /// `weigh` is told the density of each direction, times the samples that are taken by it (0
+    /// Brings home what the surface scatters to the viewer of what all lights send, on a path that
+    /// has scattered there, times the throughput so far. `weigh` is told the density of each direction, times the samples that are taken by it (0
     /// where no other way could find it), and answers with the part that counts.
-    pub fn scattered(
+    pub fn ask(
         &self,
         world: &World,
         (site, bsdf): (&Site, &Bsdf),
         stream: &mut Stream,
-        counts: &mut Counts,
+        (trail, throughput): (Trail, Rgb),
+        carrier: &mut Carrier,
         weigh: impl Fn(&Arrival, f32) -> f32,
-    ) -> Rgb {
-        let mut sum = Rgb::BLACK;
+    ) {
         let mut ask = |light: &Light, taken: f32, u: [f64; 2]| {
             let arrival = match self.area_lights {
                 AreaLights::Center => light.at_centre(&world.geometry, site),
@@ -57,12 +58,13 @@ impl Lighting {
                 if !bsdf.faces(arrival.wi) {
                     return;
                 }
-                counts.shadow_rays += 1;
+                carrier.counts.shadow_rays += 1;
                 if world.geometry.occluded(&arrival.shadow) {
                     return;
                 }
             }
-            sum += scattered * (weigh(&arrival, taken * arrival.pdf_w) / taken);
+            let part = weigh(&arrival, taken * arrival.pdf_w) / taken;
+            carrier.add(trail, throughput * scattered * part, Source::of(&arrival.shadow));
         };
         // Every light takes its numbers, whether they are needed or not, so that the numbers of
         // the next do not depend on where the ray went.
@@ -92,7 +94,6 @@ impl Lighting {
                 }
             }
         }
-        sum
     }
 
     /// The density with which a light's direction is chosen, times the samples that are taken by

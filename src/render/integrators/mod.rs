@@ -7,6 +7,7 @@ mod lighting;
 mod path;
 mod preview;
 mod roulette;
+mod traced;
 
 pub use carrier::Carrier;
 pub use direct::{Ambient, Direct};
@@ -14,6 +15,9 @@ pub use lighting::{AreaLights, Lighting};
 pub use path::{Path, Splits};
 pub use preview::Preview;
 pub use roulette::Roulette;
+pub use traced::{Source, Traced};
+
+use traced::Tracing;
 
 use super::World;
 use super::film::Begun;
@@ -46,6 +50,36 @@ impl Integrator {
             Self::Preview(preview) => tiles::pass(world, job, |ray, _: &mut Stream, carrier| {
                 preview.radiance(world, ray, carrier)
             }),
+        }
+    }
+
+    /// Tells `visit` all paths that bring light to one sample of a pixel, with the factor that the
+    /// film's filter gives to it. Together they are what the sample brings to the picture; of one
+    /// that is not finite there are none. The preview follows no light, and so has no paths.
+    pub fn trace(
+        &self,
+        world: &World,
+        seed: u64,
+        pixel: [u64; 2],
+        sample: u64,
+        mut visit: impl FnMut(f64, Traced),
+    ) {
+        let mut carrier = Carrier::new(world, Counts::default());
+        carrier.traced = Some(Tracing::default());
+        let weight = tiles::take(
+            world,
+            seed,
+            pixel,
+            sample,
+            &mut carrier,
+            &|ray, stream, carrier| match self {
+                Self::Direct(direct) => direct.radiance(world, ray, stream, carrier),
+                Self::Path(path) => path.radiance(world, ray, stream, carrier),
+                Self::Preview(preview) => preview.radiance(world, ray, carrier),
+            },
+        );
+        if let Some(tracing) = carrier.traced.filter(|_| carrier.radiance.is_finite()) {
+            tracing.paths().for_each(|path| visit(weight, path));
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::carrier::{Branch, Carrier};
 use super::lighting::Lighting;
 use super::roulette::Roulette;
-use super::{Ray, Stream, World};
+use super::{Ray, Source, Stream, World};
 use crate::render::geometry::Hit;
 use crate::render::lights::Site;
 use crate::render::materials::{Bsdf, Part};
@@ -63,7 +63,8 @@ impl Path {
             let emission = material.emission(&hit, -branch.ray.direction);
             if !emission.is_black() {
                 let weight = self.weight_of_met(world, &branch, &hit);
-                carrier.add(branch.trail, branch.throughput * emission * weight);
+                let light = branch.throughput * emission * weight;
+                carrier.add(branch.trail, light, Source::Point(hit.position));
             }
             if surfaces >= self.depth {
                 continue;
@@ -71,18 +72,18 @@ impl Path {
             let bsdf = material.at(&hit, -branch.ray.direction);
             let split = self.split(&branch, &bsdf);
             if let (Some(lighting), Some(event)) = (&self.lighting, bsdf.scatters()) {
-                let site = Site::new(&hit, &bsdf);
-                let counts = &mut carrier.counts;
-                let lit =
-                    lighting.scattered(world, (&site, &bsdf), stream, counts, |light, taken| {
+                let trail = carrier.after(branch.trail, event, &hit);
+                if !carrier.is_hidden(trail) {
+                    let site = Site::new(&hit, &bsdf);
+                    let on = (trail, branch.throughput);
+                    lighting.ask(world, (&site, &bsdf), stream, on, carrier, |light, taken| {
                         // No other way finds it, or none is to count.
                         if taken == 0.0 || !self.mis {
                             return 1.0;
                         }
                         power(taken, split.rays as f32 * bsdf.pdf_w(split.part, light.wi))
                     });
-                let trail = carrier.after(branch.trail, event);
-                carrier.add(trail, branch.throughput * lit);
+                }
             }
             self.go_on(&branch, &hit, (&bsdf, split), stream, carrier);
         }
@@ -98,7 +99,8 @@ impl Path {
             let asked = light.asked.map(|number| number as usize);
             let weight =
                 self.weight(world, branch, asked, |site| light.pdf_w(site, branch.ray.direction));
-            carrier.add(branch.trail, branch.throughput * radiance * weight);
+            let light = branch.throughput * radiance * weight;
+            carrier.add(branch.trail, light, Source::Direction(branch.ray.direction));
         }
     }
 
@@ -150,8 +152,7 @@ impl Path {
     ) {
         if split.specular {
             for way in bsdf.specular().into_iter().flatten() {
-                let trail = carrier.after(branch.trail, way.event);
-                carrier.waiting.push(branch.mirrored(hit, &way, trail));
+                carrier.follow(branch.mirrored(hit, &way), way.event, hit);
             }
             if bsdf.scatters().is_none() {
                 return;
@@ -172,11 +173,11 @@ impl Path {
                 }
                 way.weight = way.weight / survival;
             }
-            let trail = carrier.after(branch.trail, way.event);
-            carrier.waiting.push(match way.pdf_w {
-                0.0 => branch.mirrored(hit, &way, trail),
-                _ => branch.scattered(hit, (bsdf, &way), split.rays, trail),
-            });
+            let next = match way.pdf_w {
+                0.0 => branch.mirrored(hit, &way),
+                _ => branch.scattered(hit, (bsdf, &way), split.rays),
+            };
+            carrier.follow(next, way.event, hit);
         }
     }
 }
