@@ -2,7 +2,7 @@
 
 use super::errors::paths as errors;
 use crate::diag::Diagnostic;
-use crate::math::paths::{Automaton, TooLarge};
+use crate::math::paths::Automaton;
 use crate::plan::{Feature, Plan};
 use crate::scene::{Layer, Only, Scene};
 
@@ -31,8 +31,18 @@ pub(super) fn automaton(
         return None;
     }
     let made = Automaton::new(picture, &which);
-    let last = || only.last().map_or(scene.integrator.span, |only| only.span);
-    made.map_err(|too_large: TooLarge| found.push(errors::too_large(too_large, last()))).ok()
+    made.map_err(|what| {
+        // The first one with which it is too much.
+        let fails = |count: &usize| Automaton::new(picture, &which[..*count]).is_err();
+        let count = (0..which.len()).find(fails).unwrap_or(which.len());
+        let at = match count.checked_sub(1) {
+            None => scene.integrator.paths().map(|shown| shown.span),
+            Some(last) => only.clone().nth(last).map(|only| only.span),
+        };
+        let at = at.unwrap_or(scene.integrator.span);
+        found.push(errors::too_large(what, at));
+    })
+    .ok()
 }
 
 /// Layers are channels of a file.
