@@ -90,6 +90,7 @@ fn ambient(rays: u64, direct: bool) -> Integrator {
         specular_depth: at(Depth::Most(10)),
         splits: at(splits(0, 0, 1)),
         roulette: at(scene::Roulette::Throughput),
+        paths: at(None),
     })
 }
 
