@@ -2,8 +2,10 @@
 //! seen.
 //!
 //! The table lies over the square that [`warp::square_to_hemisphere`] bends into the sky, which
-//! keeps areas: between its nodes radiance is bilinear, and the density of samples is the same
-//! bilinear luminance, exactly. So what a ray sees and what a sample weighs never differ.
+//! keeps areas: between its nodes radiance is bilinear, and so is the density of samples, exactly
+//! the luminance of what a ray sees there.
+
+use std::f32::consts::FRAC_1_PI;
 
 use glam::{Mat3, Vec2, Vec3};
 
@@ -80,30 +82,49 @@ impl Sky {
         (a * (1.0 - x) + b * x) * (1.0 - y) + (c * (1.0 - x) + d * x) * y
     }
 
-    /// A direction by luminance, with the radiance from there and the density in solid angle; None
-    /// of a black sky.
-    pub(super) fn sample(&self, u: [f64; 2]) -> Option<(Vec3, Rgb, f32)> {
+    /// A direction, with the radiance from there and its density in solid angle: by luminance; for
+    /// a surface, whose normal is not zero, half of them by the cosine to it, for what is bright
+    /// may be behind the surface. None of a black sky.
+    pub(super) fn sample(&self, normal: Vec3, u: [f64; 2]) -> Option<(Vec3, Rgb, f32)> {
         if self.total <= 0.0 {
             return None;
         }
+        let wi = match u[0] {
+            first if normal == Vec3::ZERO => self.by_luminance([first, u[1]]),
+            first if first < 0.5 => self.by_luminance([2.0 * first, u[1]]),
+            first => {
+                let u = [2.0 * first - 1.0, u[1]].map(random::unit_f32);
+                warp::about(normal, warp::square_to_cosine(Vec2::from_array(u)))
+            }
+        };
+        let radiance = self.radiance(wi);
+        Some((wi, radiance, self.density(normal, wi, radiance)))
+    }
+
+    /// The density in solid angle with which `sample` gives a direction.
+    pub(super) fn pdf_w(&self, normal: Vec3, direction: Vec3) -> f32 {
+        self.density(normal, direction, self.radiance(direction))
+    }
+
+    fn density(&self, normal: Vec3, direction: Vec3, radiance: Rgb) -> f32 {
+        if self.total <= 0.0 {
+            return 0.0;
+        }
+        let by_luminance = radiance.luminance() / self.total;
+        if normal == Vec3::ZERO {
+            return by_luminance;
+        }
+        0.5 * (by_luminance + FRAC_1_PI * normal.dot(direction).max(0.0))
+    }
+
+    fn by_luminance(&self, u: [f64; 2]) -> Vec3 {
         let local = if u[0] < self.above {
             warp::square_to_hemisphere(self.point(u[0] / self.above, u[1]))
         } else {
             let u = [(u[0] - self.above) / (1.0 - self.above), u[1]];
             -warp::square_to_hemisphere(Vec2::from_array(u.map(random::unit_f32)))
         };
-        let wi = self.to_place.transpose() * local;
-        let radiance = self.radiance(wi);
-        Some((wi, radiance, self.density(radiance)))
-    }
-
-    /// The density in solid angle with which `sample` gives a direction.
-    pub(super) fn pdf_w(&self, direction: Vec3) -> f32 {
-        self.density(self.radiance(direction))
-    }
-
-    fn density(&self, radiance: Rgb) -> f32 {
-        if self.total > 0.0 { radiance.luminance() / self.total } else { 0.0 }
+        self.to_place.transpose() * local
     }
 
     /// A point of the square by bilinear luminance: one number chooses row and height, the other
@@ -185,13 +206,19 @@ mod tests {
 
     #[test]
     fn samples_follow_the_luminance_that_is_seen() {
-        for (side, ground) in [(1, Rgb::BLACK), (7, Rgb::grey(0.3)), (64, Rgb::grey(0.05))] {
+        let across = Vec3::new(0.1, -0.2, -0.6).normalize();
+        for (side, ground, normal) in [
+            (1, Rgb::BLACK, Vec3::ZERO),
+            (7, Rgb::grey(0.3), Vec3::ZERO),
+            (64, Rgb::grey(0.05), Vec3::ZERO),
+            (64, Rgb::BLACK, across),
+        ] {
             let sky = sky(side, ground);
             let mut counts = vec![0; 480];
             for i in 0..SAMPLES {
-                let (wi, radiance, pdf_w) = sky.sample(numbers(i)).unwrap();
+                let (wi, radiance, pdf_w) = sky.sample(normal, numbers(i)).unwrap();
                 assert!((wi.length() - 1.0).abs() < 1e-5);
-                assert_eq!((radiance, pdf_w), (sky.radiance(wi), sky.pdf_w(wi)));
+                assert_eq!((radiance, pdf_w), (sky.radiance(wi), sky.pdf_w(normal, wi)));
                 counts[bin(sky.to_place * wi)] += 1;
             }
             // What each bin should hold, by many points spread evenly.
@@ -201,7 +228,7 @@ mod tests {
                 let u =
                     [0.5, 0.755_877_666, 0.569_840_291].map(|step: f64| (step * i as f64).fract());
                 let wi = warp::square_to_sphere(Vec2::new(u[1] as f32, u[2] as f32));
-                probabilities[bin(sky.to_place * wi)] += f64::from(sky.pdf_w(wi));
+                probabilities[bin(sky.to_place * wi)] += f64::from(sky.pdf_w(normal, wi));
             }
             let sphere = f64::from(2.0 * HALF) / points as f64;
             probabilities.iter_mut().for_each(|p| *p *= sphere);
@@ -217,7 +244,7 @@ mod tests {
         let sky = Sky::new(Mat3::IDENTITY, 5, |_| Rgb::grey(2.0), Rgb::grey(2.0));
         assert!((sky.total() / (4.0 * HALF) - 1.0).abs() < 1e-6);
         for i in 0..1000 {
-            let (wi, radiance, pdf_w) = sky.sample(numbers(i)).unwrap();
+            let (wi, radiance, pdf_w) = sky.sample(Vec3::ZERO, numbers(i)).unwrap();
             assert!((radiance.g - 2.0).abs() < 1e-6);
             assert!((pdf_w - 0.5 / HALF).abs() < 1e-7);
             assert!(wi.is_normalized());
@@ -240,8 +267,8 @@ mod tests {
     #[test]
     fn a_black_sky_gives_no_light() {
         let sky = Sky::new(Mat3::IDENTITY, 4, |_| Rgb::BLACK, Rgb::BLACK);
-        assert!(sky.sample([0.3, 0.7]).is_none());
-        assert_eq!((sky.pdf_w(Vec3::Z), sky.radiance(Vec3::Z)), (0.0, Rgb::BLACK));
+        assert!(sky.sample(Vec3::X, [0.3, 0.7]).is_none());
+        assert_eq!((sky.pdf_w(Vec3::X, Vec3::Z), sky.radiance(Vec3::Z)), (0.0, Rgb::BLACK));
     }
 
     #[test]

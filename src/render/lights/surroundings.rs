@@ -46,7 +46,8 @@ impl Surroundings {
     }
 
     /// Light from one direction. Of light that is the same everywhere: for a surface by the cosine
-    /// to its normal, else uniform; of a sky by its luminance; of a disc from within it.
+    /// to its normal, else uniform; of a sky by its luminance and that cosine; of a disc from
+    /// within it.
     pub(super) fn sample(&self, site: &Site, u: [f64; 2]) -> Option<Arrival> {
         let (wi, radiance, pdf_w) = match &self.sight {
             Sight::Constant(radiance) => {
@@ -58,7 +59,7 @@ impl Surroundings {
                 (wi, *radiance, self.pdf_w(site, wi))
             }
             Sight::Disc(disc) => disc.sample(u),
-            Sight::Sky(sky) => sky.sample(u)?,
+            Sight::Sky(sky) => sky.sample(site.normal, u)?,
         };
         if pdf_w <= 0.0 {
             return None;
@@ -75,7 +76,7 @@ impl Surroundings {
                 normal => normal.dot(wi).max(0.0) / PI,
             },
             Sight::Disc(disc) => disc.pdf_w(wi),
-            Sight::Sky(sky) => sky.pdf_w(wi),
+            Sight::Sky(sky) => sky.pdf_w(site.normal, wi),
         }
     }
 }
