@@ -1,100 +1,148 @@
-//! Four triangles side by side, as a leaf of the tree holds them, and the quick f32 test that
-//! throws out those a ray certainly misses.
+//! Eight triangles side by side, as a leaf of the tree holds them, and the quick f32 test that
+//! throws out those a ray certainly misses, keeps those it certainly meets, and leaves the few that
+//! remain to f64.
 //!
-//! The test is Woop's [Woop13] in f32, made conservative: whatever it keeps is decided in f64 by
-//! triangle.rs, and it keeps everything that f64 would. Bound of its error, u = 2⁻²⁴, W the
-//! triangle's greatest extent along an axis, S the shear (|S| ≤ 1), Z the depth of the first
-//! corner: if the ray passes inside, every sheared coordinate is at most 2W, and made with an error
-//! of at most 5u·(2W + |S|·(Z + W)), where Z + W bounds the depth of all corners. A part is the
-//! difference of two products of such, so its error is below 32u·(2W + |Sx|·(Z + W))·
-//! (2W + |Sy|·(Z + W)), to which the smallest normal number is added for gradual underflow.
+//! Corners are kept as whole numbers of a quantum from the block's lowest corner, in 16
+//! bits: a block is three cache lines. The exact corners stay with the shapes.
+//!
+//! The test is Woop's [Woop13] in units of the quantum. With E = 65535 the size of the block's
+//! cube, the ray in these units is x(z) = c + s·z, |s| ≤ 1, along the axis z of its depth, and c is
+//! computed in f64 and rounded once. A ray that meets a triangle passes through the cube, so
+//! -E ≤ c ≤ 2E; all others are thrown out first. What remains has sheared corners x − c − s·z of at
+//! most 3E. They err by half a quantum in x and s·z each, by u·2E for c, and by u·6E in arithmetic:
+//! by less than δ = 1.25 together. A part is a difference of two products of them, which so errs by
+//! less than 4·3E·(δ + δ²) + 4u·(3E)² < 2²⁰; [`PART_ERROR`] is that.
 
-use glam::{DVec3, Vec3, Vec4};
+use glam::Vec3;
 
+use super::lanes::{LANES, Lanes};
 use super::ray::Probe;
-use super::shapes::Primitive;
-use super::tree::LANES;
+use super::shapes::{Primitive, Shapes};
 
-/// 32u.
-const PART_ERROR: f32 = 16.0 * f32::EPSILON;
+/// The greatest whole number: the side of the cube around a block, in quanta.
+const SIDE: f32 = 65_535.0;
 
-/// Up to four triangles; the lanes that hold none are masked.
+/// Bound of a part's error, in square quanta.
+const PART_ERROR: f32 = 1_048_576.0;
+
+/// A bit for every lane.
+const ALL: u32 = (1 << LANES) - 1;
+
+/// How far c may be from the middle of the cube, with some quanta to spare.
+const REACH: f32 = 1.5 * SIDE + 8.0;
+
+/// Beyond so many quanta away (2⁴⁰) even f64 may be off by some: all is left to triangle.rs.
+const FAR: f32 = 1_099_511_627_776.0;
+
+/// The least quantum, 2⁻¹⁰⁰ world units, so that nothing underflows. The greatest, of corners as far
+/// apart as f32 has them, is 2¹¹³.
+const LEAST: f64 = 1.0 / (1_u128 << 100) as f64;
+
+/// Up to eight triangles.
+#[repr(align(64))]
 pub(super) struct Block {
-    /// Corner, then axis; a lane a triangle. World units.
-    corners: [[Vec4; 3]; 3],
-    /// Greatest extent along an axis, world units.
-    extent: Vec4,
+    /// The lowest corner of the box around all, world units.
+    low: [f32; 3],
+    /// The bits of how many quanta are in a world unit. That is a power of two: its lowest bits,
+    /// free therefore, tell which lanes hold a triangle.
+    scale: u32,
+    /// Axis, then corner; a lane a triangle. In quanta, from the lowest corner.
+    corners: [[[u16; LANES]; 3]; 3],
     primitives: [Primitive; LANES],
-    /// A bit for each lane that holds a triangle.
-    lanes: u32,
 }
 
 /// Lanes that a ray may meet.
-pub(super) struct Candidates {
+pub(super) struct Candidates<L: Lanes> {
     /// A bit for each lane not certainly missed.
     pub possible: u32,
     /// A bit for each lane whose edges the ray certainly passes inside of.
     pub inside: u32,
+    /// Of lanes passed inside: bounds of the parameter where the ray meets the triangle.
+    pub between: [L::Eight; 2],
 }
 
 impl Block {
-    /// At most four triangles with their corners.
-    pub fn new(triangles: &[(Primitive, [Vec3; 3])]) -> Self {
-        let first = triangles[0].0;
+    /// One to eight triangles.
+    pub fn new(shapes: &Shapes, triangles: &[Primitive]) -> Self {
+        let all = || triangles.iter().flat_map(|p| shapes.corners(p.index()));
+        let low = all().fold(Vec3::INFINITY, Vec3::min);
+        let high = all().fold(Vec3::NEG_INFINITY, Vec3::max);
+        let extent = (high.as_dvec3() - low.as_dvec3()).max_element();
+        let quantum = quantum(extent);
         let mut block = Self {
-            corners: [[Vec4::ZERO; 3]; 3],
-            extent: Vec4::ZERO,
-            primitives: [first; LANES],
-            lanes: 0,
+            low: low.to_array(),
+            scale: ((1.0 / quantum) as f32).to_bits() | ((1 << triangles.len()) - 1),
+            corners: [[[0; LANES]; 3]; 3],
+            primitives: [triangles[0]; LANES],
         };
-        for (lane, (primitive, corners)) in triangles.iter().enumerate() {
-            for (all, corner) in block.corners.iter_mut().zip(corners) {
-                for (axis, coordinate) in corner.to_array().into_iter().enumerate() {
-                    all[axis][lane] = coordinate;
+        for (lane, primitive) in triangles.iter().enumerate() {
+            block.primitives[lane] = *primitive;
+            for (k, corner) in shapes.corners(primitive.index()).into_iter().enumerate() {
+                let whole = ((corner.as_dvec3() - low.as_dvec3()) / quantum).round();
+                for (all, coordinate) in block.corners.iter_mut().zip(whole.to_array()) {
+                    all[k][lane] = coordinate as u16;
                 }
             }
-            let [a, b, c] = *corners;
-            let extent = a.max(b).max(c) - a.min(b).min(c);
-            block.extent[lane] = extent.max_element().next_up();
-            block.primitives[lane] = *primitive;
-            block.lanes |= 1 << lane;
         }
         block
     }
 
-    /// Which triangles the ray may meet before `limit`.
+    /// Which triangles the ray may meet.
     #[inline(always)]
-    pub fn candidates<const AXIS: usize>(&self, probe: &Probe, limit: f32) -> Candidates {
-        let (x, y, z) = ((AXIS + 1) % 3, (AXIS + 2) % 3, AXIS);
-        let origin = probe.near_origin;
-        let (ox, oy, oz) = (Vec4::splat(origin[x]), Vec4::splat(origin[y]), Vec4::splat(origin[z]));
-        let (sx, sy) = (Vec4::splat(probe.near_shear[0]), Vec4::splat(probe.near_shear[1]));
-        let corner = |k: usize| {
-            let c = &self.corners[k];
-            let depth = c[z] - oz;
-            ((c[x] - ox) - sx * depth, (c[y] - oy) - sy * depth, depth)
-        };
-        let ((ax, ay, az), (bx, by, bz), (cx, cy, cz)) = (corner(0), corner(1), corner(2));
-        let u = cx * by - cy * bx;
-        let v = ax * cy - ay * cx;
-        let w = bx * ay - by * ax;
-        let (least, most) = (u.min(v).min(w), u.max(v).max(w));
-        let depth = az.abs() + self.extent;
-        let width = self.extent + self.extent;
-        let error = (width + sx.abs() * depth) * (width + sy.abs() * depth) * PART_ERROR
-            + Vec4::splat(f32::MIN_POSITIVE);
-        let missed = least.cmplt(-error) & most.cmpgt(error);
-        let possible = !missed.bitmask() & self.lanes;
-        if possible == 0 {
-            return Candidates { possible, inside: 0 };
+    pub fn candidates<L: Lanes>(&self, lanes: L, probe: &Probe) -> Candidates<L> {
+        let [x, y, z] = probe.axes;
+        let per_unit = f32::from_bits(self.scale & !ALL);
+        let (per, low) = (f64::from(per_unit), f64::from(self.low[z]));
+        let cx = (probe.sheared[0] - (f64::from(self.low[x]) - probe.shear[0] * low)) * per;
+        let cy = (probe.sheared[1] - (f64::from(self.low[y]) - probe.shear[1] * low)) * per;
+        let (cx, cy) = (cx as f32, cy as f32);
+        let depth = (probe.near_depth[0] - self.low[z]) * per_unit;
+        let nothing = [lanes.splat(0.0); 2];
+        if depth.abs() >= FAR {
+            return Candidates { possible: self.scale & ALL, inside: 0, between: nothing };
         }
-        // The meeting lies between the nearest and the farthest corner along the ray.
-        let scale = Vec4::splat(probe.near_shear[2]);
-        let (ta, tb, tc) = (az * scale, bz * scale, cz * scale);
-        let within =
-            ta.min(tb).min(tc).cmple(Vec4::splat(limit)) & ta.max(tb).max(tc).cmpge(Vec4::ZERO);
-        let inside = least.cmpgt(error) | most.cmplt(-error);
-        Candidates { possible: possible & within.bitmask(), inside: inside.bitmask() }
+        if (cx - SIDE / 2.0).abs() > REACH || (cy - SIDE / 2.0).abs() > REACH {
+            return Candidates { possible: 0, inside: 0, between: nothing };
+        }
+        let (sx, sy) = (lanes.splat(probe.near_shear[0]), lanes.splat(probe.near_shear[1]));
+        let (cx, cy) = (lanes.splat(cx), lanes.splat(cy));
+        let (xs, ys, zs) = (&self.corners[x], &self.corners[y], &self.corners[z]);
+        let (az, bz, cz) = (lanes.whole(&zs[0]), lanes.whole(&zs[1]), lanes.whole(&zs[2]));
+        let ax = lanes.sub_mul(sx, az, lanes.sub(lanes.whole(&xs[0]), cx));
+        let bx = lanes.sub_mul(sx, bz, lanes.sub(lanes.whole(&xs[1]), cx));
+        let cx = lanes.sub_mul(sx, cz, lanes.sub(lanes.whole(&xs[2]), cx));
+        let ay = lanes.sub_mul(sy, az, lanes.sub(lanes.whole(&ys[0]), cy));
+        let by = lanes.sub_mul(sy, bz, lanes.sub(lanes.whole(&ys[1]), cy));
+        let cy = lanes.sub_mul(sy, cz, lanes.sub(lanes.whole(&ys[2]), cy));
+        let u = lanes.mul_sub(cx, by, lanes.mul(cy, bx));
+        let v = lanes.mul_sub(ax, cy, lanes.mul(ay, cx));
+        let w = lanes.mul_sub(bx, ay, lanes.mul(by, ax));
+        let least = lanes.min(lanes.min(u, v), w);
+        let most = lanes.max(lanes.max(u, v), w);
+        let (zero, error) = (lanes.splat(0.0), lanes.splat(PART_ERROR));
+        // Missed if one part is certainly below zero, and another certainly above.
+        let possible = lanes.at_most(lanes.min(lanes.sub(zero, least), most), error);
+        let possible = possible & self.scale & ALL;
+        if possible == 0 {
+            return Candidates { possible, inside: 0, between: nothing };
+        }
+        let inside = !lanes.at_most(lanes.max(least, lanes.sub(zero, most)), error) & possible;
+        if inside == 0 {
+            return Candidates { possible, inside, between: nothing };
+        }
+        // The mean of the corners' depths, by weights that are each off by the error of a part.
+        let sum = lanes.add(lanes.add(u, v), w);
+        let mean = lanes.add(lanes.add(lanes.mul(u, az), lanes.mul(v, bz)), lanes.mul(w, cz));
+        let (low, high) = (lanes.min(lanes.min(az, bz), cz), lanes.max(lanes.max(az, bz), cz));
+        let off = lanes.splat(3.0 * PART_ERROR);
+        let slack = lanes.div(lanes.mul(off, lanes.sub(high, low)), lanes.sub(lanes.abs(sum), off));
+        let slack =
+            lanes.add(slack, lanes.splat(1.0 + (depth.abs() + SIDE) * (4.0 * f32::EPSILON)));
+        let scale = probe.near_depth[1] / per_unit;
+        let t = lanes.mul(lanes.sub(lanes.div(mean, sum), lanes.splat(depth)), lanes.splat(scale));
+        let slack = lanes.mul(slack, lanes.splat(scale.abs()));
+        let between = [lanes.sub(t, slack), lanes.add(t, slack)];
+        Candidates { possible, inside, between }
     }
 
     /// The triangle in a lane.
@@ -102,15 +150,12 @@ impl Block {
     pub fn primitive(&self, lane: usize) -> Primitive {
         self.primitives[lane]
     }
+}
 
-    /// Corners of the triangle in a lane.
-    #[inline(always)]
-    pub fn triangle(&self, lane: usize) -> [DVec3; 3] {
-        let [a, b, c] = &self.corners;
-        let corner = |[x, y, z]: &[Vec4; 3]| {
-            let at = |axis: &Vec4| f64::from(AsRef::<[f32; LANES]>::as_ref(axis)[lane]);
-            DVec3::new(at(x), at(y), at(z))
-        };
-        [corner(a), corner(b), corner(c)]
-    }
+/// The least power of two by which a box of this size is at most [`SIDE`].
+fn quantum(extent: f64) -> f64 {
+    let least = extent / f64::from(SIDE);
+    let below = f64::from_bits(least.to_bits() >> 52 << 52);
+    let quantum = if below < least { 2.0 * below } else { below };
+    quantum.max(LEAST)
 }

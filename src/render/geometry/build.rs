@@ -1,25 +1,32 @@
 //! Builds the tree: obvhs clusters the boxes (PLOC [Meister18], in parallel), this file turns its
-//! binary tree into one of four children a node, of bounded depth.
+//! binary tree into one of eight children a node, of bounded depth.
 //!
 //! obvhs sees boxes moved and scaled into the unit cube, so that areas neither vanish nor overflow,
 //! and grown by a little noise: where boxes tie, as those of copies do, its clustering would join
 //! one pair a round. Only the shape of its tree is taken; boxes are made afresh from the shapes.
+//! Triangles without area, and those whose corners are no numbers, are never met and left out.
 
 use glam::{DVec3, Vec3, Vec3A};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
+use rayon::prelude::*;
 
 use super::Bounds;
+use super::ask::Walker;
 use super::block::Block;
+use super::lanes::LANES;
+use super::node::{Below, Child, Node};
 use super::shapes::{Kind, Primitive, Shapes};
-use super::tree::{Child, DEEPEST, LANES, Node, Tree};
+use super::tree::Tree;
+use super::triangle;
+use super::walk::DEEPEST;
 use crate::math::random;
 
-/// How deep obvhs's own tree is followed. What lies deeper is cut into four equal parts again and
-/// again, and four to the power of what remains is more than all shapes there can be.
-const FOLLOWED: usize = DEEPEST - 16;
+/// How deep obvhs's own tree is followed. What lies deeper is cut into eight equal parts again and
+/// again, and eight to the power of what remains is more than all shapes there can be.
+const FOLLOWED: usize = DEEPEST - 11;
 
 /// Noise, as a part of a box's own size: far below what matters to the choice of clusters.
 const NOISE: f64 = 1.0 / 1024.0;
@@ -29,11 +36,8 @@ const NOISE_OF_POINTS: f64 = 1.0 / 1_048_576.0;
 /// Counts as more than any leaf holds: a sphere or disk never shares a leaf.
 const ALONE: u32 = LANES as u32 + 1;
 
-/// A shape and its box.
-struct Item {
-    primitive: Primitive,
-    bounds: Bounds,
-}
+/// Fewer shapes than this are not worth a second thread.
+const GRAIN: usize = 4096;
 
 impl Tree {
     /// Over all shapes but planes.
@@ -43,24 +47,77 @@ impl Tree {
 
     /// The same, following obvhs's tree so deep.
     pub(super) fn followed(shapes: &Shapes, depth: usize) -> Self {
-        let boxed = |p| shapes.bounds_of(p).map(|b| Item { primitive: p, bounds: padded(b) });
-        let items: Vec<Item> = shapes.primitives().filter_map(boxed).collect();
-        let mut tree = Self { nodes: Vec::new(), blocks: Vec::new() };
-        if !items.is_empty() {
-            let clusters = cluster(&items);
-            let weights = weights(&clusters, &items);
-            let mut builder = Builder { shapes, items, clusters, weights, depth, tree: &mut tree };
-            builder.root();
+        let items: Vec<Primitive> =
+            shapes.primitives().filter(|p| can_be_met(shapes, *p)).collect();
+        let mut tree = Self { nodes: Vec::new(), blocks: Vec::new(), walker: Walker::found() };
+        if items.is_empty() {
+            return tree;
         }
-        tree.nodes.shrink_to_fit();
+        let clusters = cluster(shapes, &items);
+        let weights = weights(&clusters, &items);
+        let mut collapse = Collapse {
+            items,
+            clusters,
+            weights,
+            depth,
+            nodes: Vec::new(),
+            leaves: Vec::new(),
+            order: Vec::new(),
+        };
+        collapse.root();
+        let Collapse { mut nodes, leaves, order, .. } = collapse;
+        let blocks: Vec<(Option<Block>, Bounds)> = leaves
+            .par_iter()
+            .with_min_len(GRAIN / LANES)
+            .map(|leaf| leaf.fill(shapes, &order))
+            .collect();
+        for (leaf, (block, bounds)) in leaves.iter().zip(blocks) {
+            let child = match block {
+                Some(block) => {
+                    tree.blocks.push(block);
+                    Child::block(tree.blocks.len() - 1)
+                }
+                None => Child::round(order[leaf.first]),
+            };
+            let (node, lane) = leaf.place;
+            nodes[node].set(lane, bounds);
+            nodes[node].children[lane] = child;
+        }
+        // Children come after their parents.
+        for at in (0..nodes.len()).rev() {
+            for lane in 0..LANES {
+                let child = nodes[at].children[lane];
+                if child != Child::ROOT
+                    && let Below::Node(below) = child.below()
+                {
+                    let bounds = nodes[below].bounds();
+                    nodes[at].set(lane, bounds);
+                }
+            }
+        }
+        nodes.shrink_to_fit();
+        tree.nodes = nodes;
         tree.blocks.shrink_to_fit();
         tree
     }
 }
 
-/// Grown by 2⁻²³ of its greatest extent, and to the next float at least. So a ray that runs exactly
-/// along a face, whose parameters are then 0·∞ or nearly, is counted in.
-fn padded(bounds: Bounds) -> Bounds {
+/// Whether a ray can meet it, and its box is one.
+fn can_be_met(shapes: &Shapes, primitive: Primitive) -> bool {
+    match primitive.kind() {
+        Kind::Triangle => {
+            let normal = triangle::normal(shapes.exact_corners(primitive.index()));
+            normal != DVec3::ZERO && normal.is_finite()
+        }
+        Kind::Plane => false,
+        _ => true,
+    }
+}
+
+/// The box around a shape, grown by 2⁻²³ of its greatest extent, and to the next float at least. So
+/// a ray that runs exactly along a face, whose parameters are then 0·∞ or nearly, is counted in.
+fn padded(shapes: &Shapes, primitive: Primitive) -> Bounds {
+    let Some(bounds) = shapes.bounds_of(primitive) else { return Bounds::EMPTY };
     let pad = Vec3::splat((bounds.max - bounds.min).max_element() * f32::EPSILON);
     Bounds {
         min: (bounds.min - pad).map(f32::next_down),
@@ -69,27 +126,27 @@ fn padded(bounds: Bounds) -> Bounds {
 }
 
 /// obvhs's tree over the boxes, seen as told above.
-fn cluster(items: &[Item]) -> Bvh2 {
-    let whole = items.iter().fold(Bounds::EMPTY, |all, item| all.union(item.bounds));
+fn cluster(shapes: &Shapes, items: &[Primitive]) -> Bvh2 {
+    let whole = items.par_iter().with_min_len(GRAIN).map(|p| padded(shapes, *p));
+    let whole = whole.reduce(|| Bounds::EMPTY, Bounds::union);
     let (low, high) = (whole.min.as_dvec3(), whole.max.as_dvec3());
     let size = (high - low).max_element();
     let scale = if size > 0.0 { 1.0 / size } else { 0.0 };
-    let boxes: Vec<Aabb> = (0_u64..)
-        .zip(items)
-        .map(|(number, item)| {
-            let min = (item.bounds.min.as_dvec3() - low) * scale;
-            let max = (item.bounds.max.as_dvec3() - low) * scale;
-            let [luck, _] = random::unit_pair(random::mix(number));
-            let noise = luck * (NOISE * (max - min).max_element() + NOISE_OF_POINTS);
-            let place = |p: DVec3| {
-                let p = p.as_vec3a();
-                if p.is_finite() { p } else { Vec3A::ZERO }
-            };
-            Aabb::new(place(min - noise), place(max + noise))
-        })
-        .collect();
+    let seen = |(number, primitive): (usize, &Primitive)| {
+        let bounds = padded(shapes, *primitive);
+        let min = (bounds.min.as_dvec3() - low) * scale;
+        let max = (bounds.max.as_dvec3() - low) * scale;
+        let [luck, _] = random::unit_pair(random::mix(number as u64));
+        let noise = luck * (NOISE * (max - min).max_element() + NOISE_OF_POINTS);
+        let place = |p: DVec3| {
+            let p = p.as_vec3a();
+            if p.is_finite() { p } else { Vec3A::ZERO }
+        };
+        Aabb::new(place(min - noise), place(max + noise))
+    };
+    let boxes: Vec<Aabb> = items.par_iter().enumerate().with_min_len(GRAIN).map(seen).collect();
     let numbers = (0..items.len() as u32).collect();
-    let mut clusters = PlocBuilder::with_capacity(boxes.len()).build(
+    let mut clusters = PlocBuilder::new().build(
         PlocSearchDistance::Medium,
         &boxes,
         numbers,
@@ -106,24 +163,24 @@ const SEARCH_FROM: usize = 3;
 const REINSERTED: f32 = 0.05;
 
 /// How many shapes lie under each of obvhs's nodes; one [`ALONE`] counts as more than a leaf holds.
-fn weights(clusters: &Bvh2, items: &[Item]) -> Vec<u32> {
+fn weights(clusters: &Bvh2, items: &[Primitive]) -> Vec<u32> {
     let mut weights = vec![0_u32; clusters.nodes.len()];
     // Parents before children; then backwards, children before parents.
-    let mut order = vec![0_usize];
+    let mut order = vec![0_u32];
     let mut done = 0;
     while let Some(&at) = order.get(done) {
         done += 1;
-        let node = &clusters.nodes[at];
+        let node = &clusters.nodes[at as usize];
         if !node.is_leaf() {
-            order.extend([node.first_index as usize, node.first_index as usize + 1]);
+            order.extend([node.first_index, node.first_index + 1]);
         }
     }
     for &at in order.iter().rev() {
-        let node = &clusters.nodes[at];
+        let node = &clusters.nodes[at as usize];
         let first = node.first_index as usize;
-        weights[at] = if node.is_leaf() {
+        weights[at as usize] = if node.is_leaf() {
             let item = clusters.primitive_indices[first] as usize;
-            if items[item].primitive.kind() == Kind::Triangle { 1 } else { ALONE }
+            if items[item].kind() == Kind::Triangle { 1 } else { ALONE }
         } else {
             weights[first].saturating_add(weights[first + 1])
         };
@@ -131,56 +188,74 @@ fn weights(clusters: &Bvh2, items: &[Item]) -> Vec<u32> {
     weights
 }
 
-struct Builder<'a> {
-    shapes: &'a Shapes,
-    items: Vec<Item>,
+/// A leaf: a sphere, a disk, or up to eight triangles.
+struct Leaf {
+    /// Node and lane.
+    place: (usize, usize),
+    /// Its shapes, in the order of the tree.
+    first: usize,
+    count: usize,
+}
+
+impl Leaf {
+    fn fill(&self, shapes: &Shapes, order: &[Primitive]) -> (Option<Block>, Bounds) {
+        let all = &order[self.first..self.first + self.count];
+        let bounds = all.iter().fold(Bounds::EMPTY, |sum, p| sum.union(padded(shapes, *p)));
+        let block = (all[0].kind() == Kind::Triangle).then(|| Block::new(shapes, all));
+        (block, bounds)
+    }
+}
+
+struct Collapse {
+    items: Vec<Primitive>,
     clusters: Bvh2,
     weights: Vec<u32>,
     /// How deep the clusters are followed.
     depth: usize,
-    tree: &'a mut Tree,
+    nodes: Vec<Node>,
+    leaves: Vec<Leaf>,
+    /// The shapes of all leaves.
+    order: Vec<Primitive>,
 }
 
-impl Builder<'_> {
+impl Collapse {
     fn root(&mut self) {
         // The walk begins at a node, even if all is one leaf.
-        let at = self.reserve();
+        self.nodes.push(Node::EMPTY);
         if self.is_leaf(0) {
-            let (bounds, child) = self.leaf(&self.under(0));
-            self.tree.nodes[at].set(0, bounds, child);
-        } else {
-            self.fill(at, 0, 0);
+            let all = self.under(0);
+            self.leaf((0, 0), all);
+            return;
+        }
+        let mut open = vec![(0, 0, 0)];
+        while let Some((at, cluster, depth)) = open.pop() {
+            for (lane, child) in self.open(cluster).into_iter().enumerate() {
+                if self.is_leaf(child) {
+                    let all = self.under(child);
+                    self.leaf((at, lane), all);
+                } else if depth + 1 < self.depth {
+                    open.push((self.below(at, lane), child, depth + 1));
+                } else {
+                    let all = self.under(child);
+                    self.even((at, lane), &all);
+                }
+            }
         }
     }
 
-    fn reserve(&mut self) -> usize {
-        self.tree.nodes.push(Node::EMPTY);
-        self.tree.nodes.len() - 1
+    /// A new node under a lane.
+    fn below(&mut self, at: usize, lane: usize) -> usize {
+        let below = self.nodes.len();
+        self.nodes.push(Node::EMPTY);
+        self.nodes[at].children[lane] = Child::node(below);
+        below
     }
 
     fn is_leaf(&self, cluster: usize) -> bool {
         self.clusters.nodes[cluster].is_leaf() || self.weights[cluster] <= LANES as u32
     }
 
-    /// Fills a node, `depth` nodes below the root, with what lies under an inner cluster.
-    fn fill(&mut self, at: usize, cluster: usize, depth: usize) -> Bounds {
-        let mut all = Bounds::EMPTY;
-        for (lane, child) in self.open(cluster).into_iter().enumerate() {
-            let (bounds, child) = if self.is_leaf(child) {
-                self.leaf(&self.under(child))
-            } else if depth + 1 < self.depth {
-                let below = self.reserve();
-                (self.fill(below, child, depth + 1), Child::node(below))
-            } else {
-                self.even(&self.under(child))
-            };
-            self.tree.nodes[at].set(lane, bounds, child);
-            all = all.union(bounds);
-        }
-        all
-    }
-
-    /// Up to four clusters that make up one: the largest is opened first.
+    /// Up to eight clusters that make up one: the largest is opened first.
     fn open(&self, cluster: usize) -> Vec<usize> {
         let mut parts = Vec::with_capacity(LANES);
         parts.push(cluster);
@@ -197,49 +272,38 @@ impl Builder<'_> {
         parts
     }
 
-    /// Every item under a cluster.
-    fn under(&self, cluster: usize) -> Vec<usize> {
-        let mut items = Vec::new();
+    /// Every shape under a cluster.
+    fn under(&self, cluster: usize) -> Vec<Primitive> {
+        let mut all = Vec::new();
         let mut open = vec![cluster];
         while let Some(at) = open.pop() {
             let node = &self.clusters.nodes[at];
             let first = node.first_index as usize;
             if node.is_leaf() {
-                items.push(self.clusters.primitive_indices[first] as usize);
+                all.push(self.items[self.clusters.primitive_indices[first] as usize]);
             } else {
                 open.extend([first + 1, first]);
             }
         }
-        items
+        all
     }
 
-    /// A subtree whose depth is the logarithm of its items, whatever they are.
-    fn even(&mut self, items: &[usize]) -> (Bounds, Child) {
-        let triangles = items.iter().all(|i| self.items[*i].primitive.kind() == Kind::Triangle);
-        if items.len() == 1 || (items.len() <= LANES && triangles) {
-            return self.leaf(items);
+    /// A subtree whose depth is the logarithm of its shapes, whatever they are.
+    fn even(&mut self, place: (usize, usize), all: &[Primitive]) {
+        let triangles = all.iter().all(|p| p.kind() == Kind::Triangle);
+        if all.len() == 1 || (all.len() <= LANES && triangles) {
+            self.leaf(place, all.to_vec());
+            return;
         }
-        let at = self.reserve();
-        let mut all = Bounds::EMPTY;
-        for (lane, part) in items.chunks(items.len().div_ceil(LANES)).enumerate() {
-            let (bounds, child) = self.even(part);
-            self.tree.nodes[at].set(lane, bounds, child);
-            all = all.union(bounds);
+        let at = self.below(place.0, place.1);
+        for (lane, part) in all.chunks(all.len().div_ceil(LANES)).enumerate() {
+            self.even((at, lane), part);
         }
-        (all, Child::node(at))
     }
 
-    /// One sphere, one disk, or up to four triangles.
-    fn leaf(&mut self, items: &[usize]) -> (Bounds, Child) {
-        let items = items.iter().map(|i| &self.items[*i]);
-        let bounds = items.clone().fold(Bounds::EMPTY, |all, item| all.union(item.bounds));
-        let first = items.clone().map(|item| item.primitive).min();
-        if let Some(round) = first.filter(|p| p.kind() != Kind::Triangle) {
-            return (bounds, Child::round(round));
-        }
-        let triangles: Vec<_> =
-            items.map(|i| (i.primitive, self.shapes.corners(i.primitive.index()))).collect();
-        self.tree.blocks.push(Block::new(&triangles));
-        (bounds, Child::block(self.tree.blocks.len() - 1))
+    fn leaf(&mut self, place: (usize, usize), mut all: Vec<Primitive>) {
+        all.sort_unstable();
+        self.leaves.push(Leaf { place, first: self.order.len(), count: all.len() });
+        self.order.extend(all);
     }
 }

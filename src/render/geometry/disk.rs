@@ -14,7 +14,7 @@ use super::shapes::Disk;
 pub(super) fn meet(probe: &Probe, disk: &Disk) -> Option<f32> {
     let (centre, normal) = (disk.centre.as_dvec3(), disk.normal.as_dvec3());
     let t = plane::root(probe, centre, normal)?;
-    let p = plane::project(probe.origin + t * probe.direction, centre, normal);
+    let p = plane::project(probe.origin() + t * probe.direction(), centre, normal);
     let radius = f64::from(disk.radius);
     ((p - centre).length_squared() <= radius * radius).then_some(t as f32)
 }
@@ -31,7 +31,7 @@ pub(super) fn point(disk: &Disk, exact: DVec3) -> Point {
 pub(super) fn surface(probe: &Probe, disk: &Disk) -> Surface {
     let (centre, normal) = (disk.centre.as_dvec3(), disk.normal.as_dvec3());
     let t = plane::root(probe, centre, normal).unwrap_or(0.0);
-    let point = point(disk, plane::project(probe.origin + t * probe.direction, centre, normal));
+    let point = point(disk, plane::project(probe.origin() + t * probe.direction(), centre, normal));
     Surface { point, ns: point.ng, uv: Vec2::ZERO }
 }
 

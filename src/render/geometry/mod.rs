@@ -5,9 +5,14 @@
 //! There is no epsilon in scene units anywhere: every tolerance follows from float arithmetic
 //! (rounding.rs has the derivation).
 
+mod ask;
+mod best;
 mod block;
 mod build;
 mod disk;
+mod exact;
+mod lanes;
+mod node;
 mod plane;
 mod ray;
 mod rounding;
@@ -16,6 +21,7 @@ mod shapes;
 mod sphere;
 mod tree;
 mod triangle;
+mod walk;
 
 #[cfg(test)]
 mod tests;
@@ -25,9 +31,11 @@ use glam::Vec3;
 pub use ray::{Hit, Point, Ray, between};
 pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 
+use ask::Walker;
+use best::Best;
 use ray::Probe;
 use shapes::Kind;
-use tree::{Best, Tree};
+use tree::Tree;
 
 /// An axis-aligned box, in world units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,30 +83,23 @@ impl Geometry {
         Self { coordinates, ..self }
     }
 
+    /// The same, or one whose rays are met by instructions that every processor has. Their answers
+    /// are the same, to the bit.
+    pub fn with_portable(mut self, portable: bool) -> Self {
+        self.tree.walker = if portable { Walker::PORTABLE } else { Walker::found() };
+        self
+    }
+
     /// The first surface the ray meets at t in (0, `t_max`). At equal t the least primitive.
+    #[inline]
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
-        if !ray.is_sound() {
-            return None;
-        }
-        let probe = Probe::new(ray);
-        let mut best = Best { t: ray.t_max, primitive: None };
-        self.meet_planes(&probe, &mut best);
-        self.tree.walk::<false>(&self.shapes, &probe, &mut best);
-        best.primitive.map(|primitive| self.hit(&probe, best.t, primitive))
+        self.tree.walker.closest(self, ray)
     }
 
     /// Whether the ray meets any surface at t in (0, `t_max`).
+    #[inline]
     pub fn occluded(&self, ray: &Ray) -> bool {
-        if !ray.is_sound() {
-            return false;
-        }
-        let probe = Probe::new(ray);
-        let mut best = Best { t: ray.t_max, primitive: None };
-        self.meet_planes(&probe, &mut best);
-        if best.primitive.is_none() {
-            self.tree.walk::<true>(&self.shapes, &probe, &mut best);
-        }
-        best.primitive.is_some()
+        self.tree.walker.occluded(self, ray)
     }
 
     /// The box around everything bounded; infinite planes don't count.
@@ -117,6 +118,7 @@ impl Geometry {
     }
 
     /// Planes have no box: each ray asks them all.
+    #[inline(always)]
     fn meet_planes(&self, probe: &Probe, best: &mut Best) {
         for (index, plane) in self.shapes.planes.iter().enumerate() {
             if let Some(t) = plane::meet(probe, plane) {
@@ -125,25 +127,15 @@ impl Geometry {
         }
     }
 
-    /// Everything about the meeting at `t`, which `meet` found.
+    /// Everything about the meeting with a primitive that `meet` found; at `t`, if not a triangle.
+    #[inline(always)]
     fn hit(&self, probe: &Probe, t: f32, primitive: Primitive) -> Hit {
         let index = primitive.index();
-        let (surface, owner) = match primitive.kind() {
-            Kind::Triangle => {
-                (triangle::surface(probe, &self.shapes, index), self.shapes.triangle_owners[index])
-            }
-            Kind::Sphere => {
-                let sphere = &self.shapes.spheres[index];
-                (sphere::surface(probe, sphere, self.coordinates), sphere.owner)
-            }
-            Kind::Disk => {
-                let disk = &self.shapes.disks[index];
-                (disk::surface(probe, disk), disk.owner)
-            }
-            Kind::Plane => {
-                let plane = &self.shapes.planes[index];
-                (plane::surface(probe, plane), plane.owner)
-            }
+        let (surface, t, owner) = if primitive.kind() == Kind::Triangle {
+            let (surface, t) = triangle::surface(probe, &self.shapes, index);
+            (surface, t, self.shapes.triangle_owners[index])
+        } else {
+            (self.other_surface(probe, primitive), t, self.shapes.owner(primitive))
         };
         let ray::Surface { point, ns, uv } = surface;
         Hit {
@@ -156,6 +148,16 @@ impl Geometry {
             primitive,
             object: owner.object,
             material: owner.material,
+        }
+    }
+
+    fn other_surface(&self, probe: &Probe, primitive: Primitive) -> ray::Surface {
+        let index = primitive.index();
+        match primitive.kind() {
+            Kind::Triangle => triangle::surface(probe, &self.shapes, index).0,
+            Kind::Sphere => sphere::surface(probe, &self.shapes.spheres[index], self.coordinates),
+            Kind::Disk => disk::surface(probe, &self.shapes.disks[index]),
+            Kind::Plane => plane::surface(probe, &self.shapes.planes[index]),
         }
     }
 }

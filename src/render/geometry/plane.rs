@@ -11,7 +11,7 @@ const REACH: f64 = (1_u64 << 60) as f64;
 
 /// The parameter t > 0 at which the ray meets the plane through `point` square to `normal`.
 pub(super) fn root(probe: &Probe, point: DVec3, normal: DVec3) -> Option<f64> {
-    let t = normal.dot(point - probe.origin) / normal.dot(probe.direction);
+    let t = normal.dot(point - probe.origin()) / normal.dot(probe.direction());
     (t > 0.0 && t < REACH).then_some(t)
 }
 
@@ -29,7 +29,7 @@ pub(super) fn meet(probe: &Probe, plane: &Plane) -> Option<f32> {
 pub(super) fn surface(probe: &Probe, plane: &Plane) -> Surface {
     let (point, normal) = (plane.point.as_dvec3(), plane.normal.as_dvec3());
     let t = root(probe, point, normal).unwrap_or(0.0);
-    let far = probe.origin + t * probe.direction;
+    let far = probe.origin() + t * probe.direction();
     let exact = project(far, point, normal);
     let magnitude = point.abs() + far.abs() + exact.abs();
     let (position, error) = rounding::position(exact, magnitude);

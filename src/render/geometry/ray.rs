@@ -1,6 +1,6 @@
 //! Rays, the points where they begin and end, and what is known where they meet a surface.
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DVec3, Vec2, Vec3, Vec3A};
 
 use super::rounding::{gamma_32, up};
 use super::shapes::Primitive;
@@ -20,11 +20,6 @@ impl Ray {
     /// A ray without end.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
         Self { origin, direction, t_max: f32::INFINITY }
-    }
-
-    /// Whether it is a ray at all: one that is not meets nothing.
-    pub(super) fn is_sound(&self) -> bool {
-        self.origin.is_finite() && self.direction.is_finite() && self.direction != Vec3::ZERO
     }
 }
 
@@ -125,54 +120,61 @@ pub fn between(from: &Point, to: &Point) -> Ray {
 /// A ray as the shapes want it: in f64, where f32 coordinates and their differences are exact, and
 /// in f32 for the quick tests.
 pub(super) struct Probe {
-    pub origin: DVec3,
-    pub direction: DVec3,
-    /// The axis along which the direction is longest: the depth of the triangles' test.
-    pub axis: usize,
-    /// Slope of the direction along the two axes after `axis`, as the depth grows; at most ±1.
+    /// In f32, for boxes; the fourth coordinate means nothing.
+    pub near_origin: Vec3A,
+    pub near_direction: Vec3A,
+    /// The last one is that along which the direction is longest, the depth of the triangles' test;
+    /// before it the two that follow it.
+    pub axes: [usize; 3],
+    /// Slope of the direction along the first two axes, as the depth grows; at most ±1.
     pub shear: [f64; 2],
-    /// The origin in f32.
-    pub near_origin: Vec3,
-    /// The shear in f32, and the parameter per unit of depth.
-    pub near_shear: [f32; 3],
-    /// 1 over the direction, each coordinate finite.
-    pub inverse: Vec3,
+    /// Where the ray is along the first two axes, at depth zero.
+    pub sheared: [f64; 2],
+    /// The shear in f32.
+    pub near_shear: [f32; 2],
+    /// The origin's depth, and the parameter per unit of depth.
+    pub near_depth: [f32; 2],
 }
 
 impl Probe {
-    #[inline]
+    #[inline(always)]
     pub fn new(ray: &Ray) -> Self {
-        let direction = ray.direction.as_dvec3();
-        let axis = direction.abs().max_position();
-        let depth = direction[axis];
-        let shear = [direction[(axis + 1) % 3] / depth, direction[(axis + 2) % 3] / depth];
+        let size = ray.direction.abs();
+        let z = if size.y > size.x { 1 } else { 0 };
+        let z = if size.z > size.x.max(size.y) { 2 } else { z };
+        let x = if z == 2 { 0 } else { z + 1 };
+        let axes = [x, 3 - x - z, z];
+        let [x, y, z] = axes;
+        let depth = f64::from(ray.direction[z]);
+        let shear = [f64::from(ray.direction[x]) / depth, f64::from(ray.direction[y]) / depth];
+        let back = f64::from(ray.origin[z]);
         Self {
-            origin: ray.origin.as_dvec3(),
-            direction,
-            axis,
+            near_origin: ray.origin.into(),
+            near_direction: ray.direction.into(),
+            axes,
             shear,
-            near_origin: ray.origin,
-            near_shear: [shear[0] as f32, shear[1] as f32, (1.0 / depth) as f32],
-            inverse: Vec3::new(
-                inverse(ray.direction.x),
-                inverse(ray.direction.y),
-                inverse(ray.direction.z),
-            ),
+            sheared: [
+                f64::from(ray.origin[x]) - shear[0] * back,
+                f64::from(ray.origin[y]) - shear[1] * back,
+            ],
+            near_shear: [shear[0] as f32, shear[1] as f32],
+            near_depth: [ray.origin[z], 1.0 / ray.direction[z]],
         }
     }
-}
 
-/// 1/d, kept finite: a coordinate within ±2⁻¹⁰⁰ stands for one of 2⁻¹⁰⁰, which moves the ray by less
-/// than boxes are padded. −0 goes the same way as +0.
-#[inline]
-fn inverse(d: f32) -> f32 {
-    const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
-    if d.abs() >= LEAST {
-        1.0 / d
-    } else if d < 0.0 {
-        -1.0 / LEAST
-    } else {
-        1.0 / LEAST
+    /// Whether it is a ray at all: one that is not meets nothing.
+    #[inline(always)]
+    pub fn is_sound(&self) -> bool {
+        let (o, d) = (self.near_origin.abs(), self.near_direction.abs());
+        (o.cmplt(Vec3A::INFINITY) & d.cmplt(Vec3A::INFINITY)).all() && d.cmpgt(Vec3A::ZERO).any()
+    }
+
+    pub fn origin(&self) -> DVec3 {
+        self.near_origin.as_dvec3()
+    }
+
+    pub fn direction(&self) -> DVec3 {
+        self.near_direction.as_dvec3()
     }
 }
 
@@ -181,18 +183,4 @@ pub(super) struct Surface {
     pub point: Point,
     pub ns: Vec3,
     pub uv: Vec2,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn inverses_are_finite_and_zeros_alike() {
-        assert_eq!(inverse(-0.5), -2.0);
-        assert_eq!(inverse(0.0), inverse(-0.0));
-        for d in [0.0, 1e-45, -1e-45, 1e-38, -1e-30, 1.0] {
-            assert!(inverse(d).is_finite() && inverse(d) * d >= 0.0, "{d}");
-        }
-    }
 }

@@ -17,6 +17,8 @@
 
 use glam::{DVec3, Vec3};
 
+use super::exact::Exact;
+
 /// Unit roundoff of f32: 2⁻²⁴.
 const UNIT_32: f64 = f32::EPSILON as f64 / 2.0;
 /// Unit roundoff of f64: 2⁻⁵³.
@@ -37,6 +39,19 @@ pub(super) const fn gamma_32(n: u32) -> f64 {
 pub(super) fn position(exact: DVec3, magnitude: DVec3) -> (Vec3, Vec3) {
     let error = exact.abs() * UNIT_32 + magnitude * (STEPS * UNIT_64);
     (exact.as_vec3(), up(error))
+}
+
+/// The same of a position in hand as an [`Exact`].
+#[inline(always)]
+pub(super) fn near(exact: Exact, magnitude: Exact) -> (Vec3, Vec3) {
+    let error = (exact.abs() * UNIT_32 + magnitude * (STEPS * UNIT_64)).to_f32();
+    (exact.to_f32(), Vec3::new(above(error.x), above(error.y), above(error.z)))
+}
+
+/// The next f32 above one that is not negative.
+#[inline(always)]
+fn above(x: f32) -> f32 {
+    f32::from_bits(x.min(f32::MAX).to_bits() + 1)
 }
 
 /// The next f32 above each coordinate. Of zero it is more than zero, and so covers gradual

@@ -199,12 +199,14 @@ impl Shapes {
     }
 
     /// Corner positions of a triangle.
+    #[inline]
     pub(super) fn corners(&self, triangle: usize) -> [Vec3; 3] {
         let [a, b, c] = self.triangles[triangle];
         [self.vertices[a as usize], self.vertices[b as usize], self.vertices[c as usize]]
     }
 
     /// The same in f64.
+    #[inline]
     pub(super) fn exact_corners(&self, triangle: usize) -> [DVec3; 3] {
         let [a, b, c] = self.corners(triangle);
         [a.as_dvec3(), b.as_dvec3(), c.as_dvec3()]

@@ -11,9 +11,9 @@ use super::shapes::Sphere;
 
 /// The least root t > 0 of |o + t·d − centre| = radius, without cancellation [Haines19].
 fn root(probe: &Probe, sphere: &Sphere) -> Option<f64> {
-    let d = probe.direction;
+    let d = probe.direction();
     let radius = f64::from(sphere.radius);
-    let f = probe.origin - sphere.centre.as_dvec3();
+    let f = probe.origin() - sphere.centre.as_dvec3();
     let a = d.length_squared();
     let b = -f.dot(d);
     let c = f.length_squared() - radius * radius;
@@ -50,7 +50,7 @@ pub(super) fn point(sphere: &Sphere, normal: DVec3) -> Point {
 /// The place where the ray meets it. Its coordinates take longer than all the rest.
 pub(super) fn surface(probe: &Probe, sphere: &Sphere, coordinates: bool) -> Surface {
     let t = root(probe, sphere).unwrap_or(0.0);
-    let local = probe.origin + t * probe.direction - sphere.centre.as_dvec3();
+    let local = probe.origin() + t * probe.direction() - sphere.centre.as_dvec3();
     let normal = local.normalize_or(DVec3::Z);
     let point = point(sphere, normal);
     let uv = if coordinates { uv(normal) } else { Vec2::ZERO };

@@ -4,6 +4,7 @@ mod agreement;
 mod extremes;
 mod leaving;
 mod meshes;
+mod processors;
 mod sampling;
 mod watertight;
 

@@ -1,0 +1,120 @@
+//! The two questions of a ray, and by whose instructions they are answered.
+//!
+//! All that happens to a ray is inlined into one function for each kind of processor, so that it is
+//! compiled for that processor whole.
+
+use super::best::Best;
+use super::lanes::{Lanes, Portable};
+use super::ray::Probe;
+use super::walk::walk;
+use super::{Geometry, Hit, Ray};
+
+/// Whose instructions a ray is met by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Walker {
+    Portable(Portable),
+    #[cfg(target_arch = "x86_64")]
+    Avx2(super::lanes::Avx2),
+}
+
+impl Walker {
+    /// For any processor.
+    pub const PORTABLE: Self = Self::Portable(Portable);
+
+    /// The best that this processor has.
+    pub fn found() -> Self {
+        #[cfg(all(target_arch = "x86_64", not(feature = "portable")))]
+        if let Some(lanes) = super::lanes::Avx2::found() {
+            return Self::Avx2(lanes);
+        }
+        Self::PORTABLE
+    }
+
+    /// See [`Geometry::closest`].
+    #[inline]
+    pub fn closest(self, geometry: &Geometry, ray: &Ray) -> Option<Hit> {
+        match self {
+            Self::Portable(lanes) => closest(lanes, geometry, ray),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(lanes) => {
+                let (o, d) = (ray.origin, ray.direction);
+                // SAFETY: an `Avx2` is made only where the processor has these instructions.
+                unsafe { avx2::closest(lanes, geometry, o.x, o.y, o.z, d.x, d.y, d.z, ray.t_max) }
+            }
+        }
+    }
+
+    /// See [`Geometry::occluded`].
+    #[inline]
+    pub fn occluded(self, geometry: &Geometry, ray: &Ray) -> bool {
+        match self {
+            Self::Portable(lanes) => occluded(lanes, geometry, ray),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(lanes) => {
+                let (o, d) = (ray.origin, ray.direction);
+                // SAFETY: as above.
+                unsafe { avx2::occluded(lanes, geometry, o.x, o.y, o.z, d.x, d.y, d.z, ray.t_max) }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn closest<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> Option<Hit> {
+    let probe = Probe::new(ray);
+    if !probe.is_sound() {
+        return None;
+    }
+    let mut best = Best::before(ray.t_max);
+    geometry.meet_planes(&probe, &mut best);
+    walk::<_, false>(lanes, &geometry.tree, &geometry.shapes, &probe, &mut best);
+    Some(geometry.hit(&probe, best.t, best.primitive?))
+}
+
+#[inline(always)]
+fn occluded<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> bool {
+    let probe = Probe::new(ray);
+    if !probe.is_sound() {
+        return false;
+    }
+    let mut best = Best::before(ray.t_max);
+    geometry.meet_planes(&probe, &mut best);
+    if best.primitive.is_none() {
+        walk::<_, true>(lanes, &geometry.tree, &geometry.shapes, &probe, &mut best);
+    }
+    best.primitive.is_some()
+}
+
+/// The same, compiled for processors with AVX2. A ray's numbers pass one by one, in registers: one
+/// in memory has just been written in small parts, and reads of greater ones would wait for them.
+#[cfg(target_arch = "x86_64")]
+mod avx2 {
+    use glam::Vec3;
+
+    use crate::render::geometry::lanes::Avx2;
+    use crate::render::geometry::{Geometry, Hit, Ray};
+
+    macro_rules! compiled {
+        ($question:ident -> $answer:ty) => {
+            #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+            #[expect(clippy::too_many_arguments, reason = "they are seven numbers in registers")]
+            pub fn $question(
+                lanes: Avx2,
+                geometry: &Geometry,
+                ox: f32,
+                oy: f32,
+                oz: f32,
+                dx: f32,
+                dy: f32,
+                dz: f32,
+                t_max: f32,
+            ) -> $answer {
+                let (origin, direction) = (Vec3::new(ox, oy, oz), Vec3::new(dx, dy, dz));
+                super::$question(lanes, geometry, &Ray { origin, direction, t_max })
+            }
+        };
+    }
+
+    compiled!(closest -> Option<Hit>);
+    compiled!(occluded -> bool);
+}
