@@ -274,7 +274,7 @@ fn planes_may_be_far_away() {
 fn settings_that_do_not_suit_the_film_are_told_in_a_sentence() {
     let stage = still_life().size(512, 256).stage();
     let unfit = |scale: f64, crop: Option<[u64; 4]>| {
-        let settings = Settings { scale, crop };
+        let settings = Settings { scale, crop, ..Settings::default() };
         let told = settings.unfit(&stage).map(|unfit| unfit.to_string());
         let (prepared, found) = prepare::prepare(&stage, &settings, &scn::math::NoProgress);
         assert_eq!(prepared.is_none(), told.is_some());

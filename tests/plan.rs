@@ -16,7 +16,7 @@ use by_hand::{Hand, Patient, direct, integrator, render, still_life};
 /// A render of the stage on a film of about 40 pixels, as required and with everything put in.
 fn both(stage: &Stage) -> [Outcome; 2] {
     let [width, height] = stage.scene.film.size.0;
-    let settings = Settings { scale: 40.0 / width.max(height) as f64, crop: None };
+    let settings = Settings { scale: 40.0 / width.max(height) as f64, ..Settings::default() };
     let samples = stage.scene.stop.most_samples().unwrap();
     [Plan::of(stage), Plan::of(stage).forced()].map(|plan| {
         let (prepared, found) = prepare::prepare_by(&plan, stage, &settings, &NoProgress);

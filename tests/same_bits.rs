@@ -105,7 +105,7 @@ fn a_cancelled_render_is_the_render_of_the_samples_it_has() {
 fn a_crop_is_the_part_of_the_whole() {
     let mut hand = still_life();
     let whole = hand.picture();
-    hand.settings = Settings { scale: 1.0, crop: Some([7, 5, 41, 39]) };
+    hand.settings = Settings { crop: Some([7, 5, 41, 39]), ..Settings::default() };
     let part = hand.picture();
     assert_eq!((part.width, part.height), (34, 34));
     for y in 0..34 {

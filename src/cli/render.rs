@@ -176,7 +176,11 @@ impl<'a> Session<'a> {
     }
 
     fn settings(&self) -> prepare::Settings {
-        prepare::Settings { scale: self.options.scale, crop: self.options.crop }
+        prepare::Settings {
+            scale: self.options.scale,
+            crop: self.options.crop,
+            portable: terminal::portable(),
+        }
     }
 
     /// What is asked for, if --scale, --crop and --shard suit the scenes, checkpoints the renders,

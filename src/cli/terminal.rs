@@ -1,4 +1,5 @@
-//! The two streams: what they can show, and writing to them without minding a closed pipe.
+//! Where the command runs: what the two streams can show, writing to them without minding a closed
+//! pipe, and what the environment asks for.
 
 use std::io::{self, ErrorKind, IsTerminal, Write};
 use std::sync::OnceLock;
@@ -10,6 +11,11 @@ use crate::diag::print::Look;
 pub fn stderr_look() -> Look {
     let size = terminal_size::terminal_size_of(io::stderr());
     look(io::stderr().is_terminal(), size, &|name| std::env::var(name).ok())
+}
+
+/// Whether plain instructions are asked for, by a variable `SCN_PORTABLE` that is not empty.
+pub fn portable() -> bool {
+    std::env::var_os("SCN_PORTABLE").is_some_and(|value| !value.is_empty())
 }
 
 /// Whether somebody watches stderr.

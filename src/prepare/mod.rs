@@ -37,11 +37,14 @@ pub struct Settings {
     /// The part of the film that is wanted, in pixels of the scaled film: x0, y0, x1, y1, ends
     /// not included.
     pub crop: Option<[u64; 4]>,
+    /// Whether rays are met by plain instructions, though the processor may have better ones. The
+    /// picture is the same.
+    pub portable: bool,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { scale: 1.0, crop: None }
+        Self { scale: 1.0, crop: None, portable: false }
     }
 }
 
@@ -125,7 +128,7 @@ pub fn prepare_by(
     progress: &dyn Progress,
 ) -> (Option<Prepared>, Vec<Diagnostic>) {
     let (parts, diagnostics) = assemble(stage, settings, plan, progress);
-    (parts.map(|parts| build(stage, plan, parts)), diagnostics)
+    (parts.map(|parts| build(stage, settings, plan, parts)), diagnostics)
 }
 
 /// How light is followed by another integrator than the stage's own, in the same world: one that needs
@@ -194,10 +197,12 @@ fn assemble(
     (Some(parts), found)
 }
 
-fn build(stage: &Stage, plan: &Plan, parts: Parts) -> Prepared {
+fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepared {
     let shapes::Assembled { shapes, lamps, objects, slivers } = parts.shapes;
     let other_shapes: u64 = objects.iter().map(|object| object.others).sum();
-    let geometry = Geometry::build(shapes).with_coordinates(plan.builds(Feature::Coordinates));
+    let geometry = Geometry::build(shapes)
+        .with_coordinates(plan.builds(Feature::Coordinates))
+        .with_portable(settings.portable);
     let lights = lights::gather(
         parts.lights,
         lamps,

@@ -70,7 +70,7 @@ impl Shot {
 
     /// The world, with a film of `scale` times its size.
     pub fn prepare(&self, scale: f64) -> Prepared {
-        let settings = prepare::Settings { scale, crop: None };
+        let settings = prepare::Settings { scale, ..prepare::Settings::default() };
         let (prepared, faults) = prepare::prepare(&self.stage, &settings, &NoProgress);
         let errors = faults.iter().filter(|fault| fault.level == Level::Error);
         assert_eq!(errors.count(), 0, "{}: {faults:?}", self.name);

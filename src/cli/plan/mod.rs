@@ -131,7 +131,11 @@ fn plan(options: &Plan) -> Result<(), End> {
     let renders =
         scene_file::chosen(compiled.renders, &compiled.setups, &options.only, &options.file)
             .map_err(|text| failed(&text))?;
-    let settings = prepare::Settings { scale: options.scale, crop: options.crop };
+    let settings = prepare::Settings {
+        scale: options.scale,
+        crop: options.crop,
+        portable: terminal::portable(),
+    };
     let mut loader = Loader::new(&NoProgress);
     let (mut stages, mut found, mut faults) = (Vec::new(), Vec::new(), Vec::new());
     for render in renders {
