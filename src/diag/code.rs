@@ -90,6 +90,7 @@ codes! {
     LINT_LAMP_FACES_AWAY = "lint/lamp-faces-away";
     LINT_LARGE_ERROR = "lint/large-error";
     LINT_LIGHT_BEHIND_PLANE = "lint/light-behind-plane";
+    LINT_LIGHT_INSIDE = "lint/light-inside";
     LINT_MANY_TURNS = "lint/many-turns";
     LINT_MISSING_CAPTION = "lint/missing-caption";
     LINT_NAMES_BY_CASE = "lint/names-by-case";
@@ -189,6 +190,7 @@ codes! {
     SCENE_TOO_MUCH_MEMORY = "scene/too-much-memory";
     SCENE_TOO_SMALL = "scene/too-small";
     SCENE_UNEVEN_SCALE = "scene/uneven-scale";
+    SCENE_WIDE_FALLOFF = "scene/wide-falloff";
     SPECTRUM_MIXED = "spectrum/mixed";
     SPECTRUM_NO_INDEX = "spectrum/no-index";
     SPECTRUM_NO_WAVELENGTH = "spectrum/no-wavelength";

@@ -40,6 +40,8 @@ impl Dimension {
     pub const EXPOSURE: Self = Self([0, 0, 0, 0, 0, 0, 0, 1]);
     /// Irradiance, in W/m².
     pub const IRRADIANCE: Self = Self([-2, 0, 0, 0, 0, 1, 0, 0]);
+    /// Radiant intensity, in W/sr.
+    pub const INTENSITY: Self = Self([0, 0, -1, 0, 0, 1, 0, 0]);
     /// Radiance, in W/m²/sr.
     pub const RADIANCE: Self = Self([-2, 0, -1, 0, 0, 1, 0, 0]);
     /// Area, in m².
@@ -52,6 +54,8 @@ impl Dimension {
     pub const SPECTRAL_RADIANCE: Self = Self([-3, 0, -1, 0, 0, 1, 0, 0]);
     /// Irradiance for each length of wavelength, in W/m²/m.
     pub const SPECTRAL_IRRADIANCE: Self = Self([-3, 0, 0, 0, 0, 1, 0, 0]);
+    /// Intensity for each length of wavelength, in W/sr/m.
+    pub const SPECTRAL_INTENSITY: Self = Self([-1, 0, -1, 0, 0, 1, 0, 0]);
     /// Power for each length of wavelength, in W/m.
     pub const SPECTRAL_POWER: Self = Self([-1, 0, 0, 0, 0, 1, 0, 0]);
 
@@ -104,8 +108,10 @@ impl Dimension {
             (Self::EXPOSURE, "an exposure"),
             (Self::IRRADIANCE, "an irradiance"),
             (Self::RADIANCE, "a radiance"),
+            (Self::INTENSITY, "an intensity"),
             (Self::SPECTRAL_RADIANCE, "a spectral radiance"),
             (Self::SPECTRAL_IRRADIANCE, "a spectral irradiance"),
+            (Self::SPECTRAL_INTENSITY, "a spectral intensity"),
             (Self::SPECTRAL_POWER, "a spectral power"),
             (Self::AREA, "an area"),
             (Self::SQUARED_AREA, "the square of an area"),

@@ -244,7 +244,7 @@ fn lights_off(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
 /// None if lights are asked, or all have an extent.
 fn never_met(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
     let Integrator::Path(path) = &integrator.value else { return None };
-    let light = survey.directional.first().filter(|_| !path.next_event.0)?;
+    let light = survey.sharp.first().filter(|_| !path.next_event.0)?;
     survey.brightest()?;
     Some(Bias {
         kind: Kind::NeverMet,

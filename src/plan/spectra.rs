@@ -11,7 +11,7 @@ use super::survey::Survey;
 use crate::diag::Span;
 use crate::math::Spectrum;
 use crate::optics::colour;
-use crate::scene::{Light, Material, Named, Object};
+use crate::scene::{Material, Named, Object};
 
 /// A part below which errors are not told: so much lies between the ways to integrate spectra.
 const NEGLIGIBLE: f64 = 1e-4;
@@ -61,16 +61,15 @@ fn meet(survey: &Survey, light: &Side, surface: &Side) -> bool {
 /// What `direct` follows light from, if its spectrum is known: a plain number is white.
 fn shining<'a>(survey: &Survey<'a>) -> Vec<Side<'a>> {
     let mut found = Vec::new();
-    for light in &survey.directional {
-        if let Light::Directional(sun) = &light.value.value {
-            found.push(Side {
-                name: format!("`light {}`", *light.name),
-                spectrum: &sun.irradiance.value.0,
-                at: sun.irradiance.span,
-                object: None,
-                several: false,
-            });
-        }
+    for light in &survey.sharp {
+        let Some(shine) = light.value.shine() else { continue };
+        found.push(Side {
+            name: format!("`light {}`", *light.name),
+            spectrum: shine.spectrum,
+            at: shine.at,
+            object: None,
+            several: false,
+        });
     }
     found.extend(materials(survey, |material| {
         let emission = material.emission()?;

@@ -12,8 +12,9 @@ use crate::scene::{self, At, Light, Material, Named, Object, SunForm};
 pub(super) struct Survey<'a> {
     /// One for each object and each of its materials that is in use.
     pub surfaces: Vec<Surface<'a>>,
-    /// Lights without extent that shine: `directional` ones, and suns of skies.
-    pub directional: Vec<&'a Named<Light>>,
+    /// Lights without extent that shine: directional ones, points, spots, and suns of skies that are
+    /// a direction.
+    pub sharp: Vec<&'a Named<Light>>,
     /// Suns that are discs.
     pub discs: Vec<&'a Named<Light>>,
     /// What surrounds the scene and shines: `constant` lights and skies.
@@ -66,19 +67,17 @@ impl<'a> Survey<'a> {
         };
         Self {
             surfaces,
-            directional: lights(|light| match light {
-                Light::Directional(sun) => is_lit(&sun.irradiance.value.0),
+            sharp: lights(|light| match light {
                 Light::Preetham(sky) => matches!(*sky.sun, SunForm::SunDirection(_)) && is_day(sky),
-                Light::Constant(_) => false,
+                other => !other.has_extent() && shines(other),
             }),
             discs: lights(|light| match light {
                 Light::Preetham(sky) => matches!(*sky.sun, SunForm::SunDisc(_)) && is_day(sky),
-                Light::Constant(_) | Light::Directional(_) => false,
+                _ => false,
             }),
             surroundings: lights(|light| match light {
-                Light::Constant(constant) => is_lit(&constant.radiance.value.0),
                 Light::Preetham(sky) => is_day(sky),
-                Light::Directional(_) => false,
+                other => other.has_extent() && shines(other),
             }),
             camera: &scene.camera,
             objects: &scene.objects,
@@ -90,12 +89,12 @@ impl<'a> Survey<'a> {
         self.surfaces.iter().find(|surface| surface.shines)
     }
 
-    /// The name of something that `direct` follows light from: a `directional` light, a sun or a
+    /// The name of something that `direct` follows light from: a light without extent, a sun or a
     /// lamp.
     pub fn shining(&self) -> Option<&'a At<String>> {
-        let mut suns = self.directional.iter().chain(&self.discs);
-        let sun = suns.next().map(|light| &light.name);
-        sun.or_else(|| self.lamp().map(|lamp| &lamp.object.name))
+        let mut lights = self.sharp.iter().chain(&self.discs);
+        let light = lights.next().map(|light| &light.name);
+        light.or_else(|| self.lamp().map(|lamp| &lamp.object.name))
     }
 
     /// The first mirror, glass or metal.
@@ -197,6 +196,11 @@ impl<'a> Surface<'a> {
 /// Whether the sun of a sky is up.
 fn is_day(sky: &scene::Preetham) -> bool {
     Daylight::of(sky).is_some_and(|day| day.shines())
+}
+
+/// Whether a light shines, by the field that says it.
+fn shines(light: &Light) -> bool {
+    light.shine().is_some_and(|shine| is_lit(shine.spectrum))
 }
 
 /// Whether there is any light in it.

@@ -7,19 +7,25 @@ use super::errors::scene as errors;
 use super::materials::{self, in_units};
 use super::objects::Placed;
 use super::shapes::Assembled;
+use super::space::Space;
 use crate::diag::{Diagnostic, Span};
 use crate::load::Stage;
 use crate::optics::colour;
 use crate::plan::{Feature, Plan};
 use crate::render::geometry::{Geometry, Owner, Primitive};
-use crate::render::lights::{Centre, Directional, Lamp, Light, Lights, Sight, Surroundings};
+use crate::render::lights::{
+    Centre, Directional, Lamp, Light, Lights, PointLight, Sight, SpotLight, Surroundings,
+};
 use crate::scene::{self, At, Scene};
 
 /// Everything that shines without being a surface.
 #[derive(Default)]
 pub(super) struct Plain {
     pub surroundings: Vec<Sight>,
-    pub directional: Vec<Light>,
+    /// Lights without extent.
+    pub sharp: Vec<Light>,
+    /// Whether one was refused, and so may be missed everywhere.
+    pub refused: bool,
     pub days: Vec<Day>,
 }
 
@@ -27,8 +33,17 @@ pub(super) struct Plain {
 /// f32 that what a picture holds stays below it.
 const MOST: f64 = 1e37;
 
+/// Distance of a point that shines from the middle of the scene, in world units: so far away its
+/// light is parallel, and a `directional` light does the same.
+const FARTHEST_POINT: f64 = 1e15;
+
 /// The unit of light: the power of two at or below the brightest light of the scene.
-pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>) -> f64 {
+pub(super) fn unit(
+    scene: &Scene,
+    bodies: &[Placed],
+    space: &Space,
+    found: &mut Vec<Diagnostic>,
+) -> f64 {
     let mut brightest = 0.0_f64;
     let mut refused: Vec<Span> = Vec::new();
     let mut largest = |channels: [f64; 3], span: Span, what: &str, name: &At<String>| {
@@ -41,15 +56,18 @@ pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>
         most
     };
     for light in &scene.lights {
-        let (shines, span) = match &light.value.value {
-            scene::Light::Constant(constant) => (&constant.radiance.0, constant.radiance.span),
-            scene::Light::Directional(sun) => (&sun.irradiance.0, sun.irradiance.span),
+        let scale = match &light.value.value {
+            scene::Light::Constant(_) | scene::Light::Directional(_) => 1.0,
+            // What it gives to a surface one world unit away.
+            scene::Light::PointLight(_) | scene::Light::SpotLight(_) => space.length(1.0).powi(2),
             scene::Light::Preetham(sky) => {
                 brightest = brightest.max(daylight::brightest(sky));
                 continue;
             }
         };
-        brightest = brightest.max(largest(colour::emitted(shines), span, "light", &light.name));
+        let Some(shine) = light.value.shine() else { continue };
+        let channels = colour::emitted(shine.spectrum).map(|channel| scale * channel);
+        brightest = brightest.max(largest(channels, shine.at, "light", &light.name));
     }
     for material in bodies.iter().flat_map(|body| &body.materials) {
         if let Some(albedo) = material.value.reflectance() {
@@ -67,9 +85,15 @@ pub(super) fn unit(scene: &Scene, bodies: &[Placed], found: &mut Vec<Diagnostic>
 }
 
 /// The lights that are declared as such.
-pub(super) fn plain(scene: &Scene, light_unit: f64) -> Plain {
+pub(super) fn plain(
+    scene: &Scene,
+    space: &Space,
+    light_unit: f64,
+    found: &mut Vec<Diagnostic>,
+) -> Plain {
     let mut plain = Plain { days: daylight::days(scene), ..Plain::default() };
     for light in &scene.lights {
+        let name = &light.name;
         match &light.value.value {
             scene::Light::Constant(constant) => {
                 let radiance = in_units(&constant.radiance.0, light_unit);
@@ -81,16 +105,56 @@ pub(super) fn plain(scene: &Scene, light_unit: f64) -> Plain {
                 let irradiance = in_units(&sun.irradiance.0, light_unit);
                 let to_light = -sun.direction.0.as_vec3();
                 if !irradiance.is_black() {
-                    plain
-                        .directional
-                        .push(Light::Directional(Directional { to_light, irradiance }));
+                    plain.sharp.push(Light::Directional(Directional { to_light, irradiance }));
                 }
             }
             // Among the days.
             scene::Light::Preetham(_) => {}
+            scene::Light::PointLight(point) => {
+                let bulb = (&point.position, &point.intensity);
+                plain.bulb(name, bulb, space, light_unit, found, Light::Point);
+            }
+            scene::Light::SpotLight(spot) => {
+                let (cone, falloff) = (spot.cone.0, spot.falloff.0);
+                if falloff > cone {
+                    plain.refused = true;
+                    found.push(errors::wide_falloff(name, spot.falloff.span, spot.cone.span));
+                    continue;
+                }
+                let axis = spot.direction.0.as_vec3();
+                let bulb = (&spot.position, &spot.intensity);
+                plain.bulb(name, bulb, space, light_unit, found, |bulb| {
+                    Light::Spot(SpotLight::new(bulb, axis, [cone - falloff, cone]))
+                });
+            }
         }
     }
     plain
+}
+
+impl Plain {
+    /// Adds what is made of a point that shines, if it does, and is not too far away.
+    fn bulb(
+        &mut self,
+        name: &At<String>,
+        (position, intensity): (&At<scene::Point>, &At<scene::Intensity>),
+        space: &Space,
+        light_unit: f64,
+        found: &mut Vec<Diagnostic>,
+        make: impl Fn(PointLight) -> Light,
+    ) {
+        let place = space.point(position.0);
+        if place.length() > FARTHEST_POINT {
+            self.refused = true;
+            found.push(errors::light_beyond_scene(name, position.span, FARTHEST_POINT));
+            return;
+        }
+        let area = space.length(1.0).powi(2);
+        let intensity = in_units(&intensity.0, light_unit / area);
+        if !intensity.is_black() {
+            self.sharp.push(make(PointLight { position: place.as_vec3(), intensity }));
+        }
+    }
 }
 
 /// Surfaces of one object and one emitting material, summed up in world space.
@@ -177,7 +241,7 @@ pub(super) fn gather(
         sights.extend(day.sky(light_unit).map(|sky| (sky, asks_around)));
     }
     if asks {
-        all.extend(plain.directional);
+        all.extend(plain.sharp);
         all.extend(suns);
         for lamp in lamps {
             of_materials[lamp.material() as usize] = all.len() as u32;
@@ -216,7 +280,8 @@ pub(super) fn check(scene: &Scene, shapes: &Assembled, plain: &Plain, found: &mu
     let by_sky = integrator.lit_by_surroundings();
     let surrounded =
         by_sky && !plain.surroundings.is_empty() || plain.days.iter().any(|day| day.shines(by_sky));
-    if shapes.lamps.is_empty() && plain.directional.is_empty() && !surrounded {
+    let sharp = plain.refused || !plain.sharp.is_empty();
+    if shapes.lamps.is_empty() && !sharp && !surrounded {
         found.push(errors::nothing_shines(scene.integrator.span));
     }
 }

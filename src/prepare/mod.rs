@@ -92,7 +92,8 @@ pub struct Summary {
     pub other_shapes: u64,
     /// Materials in use.
     pub materials: u64,
-    /// Lights that are followed: directional ones and lamps. The background is not counted.
+    /// Lights that are followed: those without extent, lamps, and the background where it is
+    /// asked for.
     pub lights: u64,
     /// Triangles dropped, since they have no area in single precision.
     pub slivers: u64,
@@ -168,16 +169,17 @@ fn assemble(
     let paths = paths::automaton(scene, plan, &mut found);
     if bodies.len() < scene.objects.len() {
         // What is missing would be missed everywhere: tell no consequences, only other faults.
-        lights::unit(scene, &bodies, &mut found);
+        let space = space::Space::around(&bodies, &scene.camera);
+        lights::unit(scene, &bodies, &space, &mut found);
         daylight::check(scene, &mut found);
         camera::check(scene, &mut found);
         return (None, found);
     }
     let space = space::Space::around(&bodies, &scene.camera);
-    let light_unit = lights::unit(scene, &bodies, &mut found);
+    let light_unit = lights::unit(scene, &bodies, &space, &mut found);
     daylight::check(scene, &mut found);
     let materials = materials::table(scene, &bodies, light_unit);
-    let lights = lights::plain(scene, light_unit);
+    let lights = lights::plain(scene, &space, light_unit, &mut found);
     let integrator = integrator::prepare(&scene.integrator, plan, space.length(1.0));
     integrator::check(&scene.integrator, &mut found);
     let shapes = shapes::assemble(&bodies, &space, &materials, plan, progress, &mut found);

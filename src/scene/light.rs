@@ -4,7 +4,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::schema::Range;
 use super::vocabulary::vocabulary;
-use super::{Angle, Count, Direction, Irradiance, Number, Radiance, Reflectance, Time};
+use super::{
+    Angle, Count, Direction, Intensity, Irradiance, Number, Point, Radiance, Reflectance, Time,
+};
+use crate::diag::Span;
+use crate::math::Spectrum;
 
 vocabulary! {
     /// Light that comes from no surface. Lamps with a surface are objects with an emission.
@@ -52,6 +56,30 @@ vocabulary! {
             /// that the scene has itself.
             ground: Reflectance = "0";
         }
+        /// Light of a point, the same in every direction; its flux is 4 pi sr times its intensity.
+        /// It lights surfaces, and is not seen itself.
+        "point" => PointLight {
+            /// Where it is.
+            position: Point;
+            /// What it sends in every direction: at a distance of d, an irradiance of
+            /// intensity / d^2.
+            intensity: Intensity;
+        }
+        /// Light of a point within a cone. It lights surfaces, and is not seen itself.
+        "spot" => SpotLight {
+            /// Where it is.
+            position: Point;
+            /// Where its axis goes.
+            direction: Direction;
+            /// What it sends along its axis, and up to where it fades.
+            intensity: Intensity;
+            /// From the axis to the edge of the cone; beyond it there is no light.
+            cone: Angle, Range::above(0.0).up_to(PI);
+            /// The outer part of the cone, in which the light fades to nothing: by t^2 (3 - 2 t),
+            /// where t is 0 at the edge, 1 where the light is whole, and goes with the cosine of
+            /// the angle to the axis. At most `cone`.
+            falloff: Angle = "0 deg", Range::between(0.0, PI);
+        }
     }
 }
 
@@ -67,5 +95,38 @@ vocabulary! {
         "direction" => SunDirection {}
         /// Nothing: the light of the sky alone, as with the sun behind a hand.
         "none" => NoSun {}
+    }
+}
+
+/// What a light shines with.
+#[derive(Clone, Copy, Debug)]
+pub struct Shine<'a> {
+    /// The field's word.
+    pub what: &'static str,
+    /// Its value.
+    pub spectrum: &'a Spectrum,
+    /// Where that is said.
+    pub at: Span,
+}
+
+impl Light {
+    /// What it shines with; None of a sky, of which no field says it.
+    pub fn shine(&self) -> Option<Shine<'_>> {
+        let (what, spectrum, at) = match self {
+            Self::Constant(it) => ("radiance", &it.radiance.value.0, it.radiance.span),
+            Self::Directional(it) => ("irradiance", &it.irradiance.value.0, it.irradiance.span),
+            Self::PointLight(it) => ("intensity", &it.intensity.value.0, it.intensity.span),
+            Self::SpotLight(it) => ("intensity", &it.intensity.value.0, it.intensity.span),
+            Self::Preetham(_) => return None,
+        };
+        Some(Shine { what, spectrum, at })
+    }
+
+    /// Whether it, or the sky it makes, has an extent: a ray that meets nothing sees it.
+    pub fn has_extent(&self) -> bool {
+        match self {
+            Self::Constant(_) | Self::Preetham(_) => true,
+            Self::Directional(_) | Self::PointLight(_) | Self::SpotLight(_) => false,
+        }
     }
 }

@@ -27,7 +27,10 @@ pub use camera::{Camera, Overview, Perspective};
 pub use film::{BoxFilter, Film, Filter, Gaussian, Mitchell, Tent};
 pub use integrator::{Ambient, AreaLights, Direct, Integrator, Path, Preview, Roulette, Splits};
 pub use layer::{Layer, PathsLayer};
-pub use light::{Constant, Directional, Light, NoSun, Preetham, SunDirection, SunDisc, SunForm};
+pub use light::{
+    Constant, Directional, Light, NoSun, PointLight, Preetham, Shine, SpotLight, SunDirection,
+    SunDisc, SunForm,
+};
 pub use material::{Conductor, Dielectric, Diffuse, Material, Mirror, Sides};
 pub use medium::{Homogeneous, Medium};
 pub use object::{Disk, KaMeans, Mesh, Object, Plane, Quad, Sphere, Triangle};
@@ -35,8 +38,8 @@ pub use paths::{Only, Paths};
 pub use sampler::{Independent, Sampler, Sobol, Stratified};
 pub use stop::Stop;
 pub use values::{
-    Angle, Coefficient, Count, Depth, Direction, Exposure, FileName, Flux, Index, Irradiance,
-    Length, LightCount, Number, Place, Point, Radiance, Ref, Reflectance, Size, Step, Switch, Text,
-    Time,
+    Angle, Coefficient, Count, Depth, Direction, Exposure, FileName, Flux, Index, Intensity,
+    Irradiance, Length, LightCount, Number, Place, Point, Radiance, Ref, Reflectance, Size, Step,
+    Switch, Text, Time,
 };
 pub use whole::{Items, KINDS, KindOf, Named, Scene};

@@ -93,6 +93,11 @@ impl Range {
         Self::of(Bound::Exclusive(low), Bound::None)
     }
 
+    /// The same, and `high` or less.
+    pub const fn up_to(self, high: f64) -> Self {
+        Self { high: Bound::Inclusive(high), ..self }
+    }
+
     /// From `low` to `high`, both allowed.
     pub const fn between(low: f64, high: f64) -> Self {
         Self::of(Bound::Inclusive(low), Bound::Inclusive(high))

@@ -14,14 +14,22 @@ pub enum Spectral {
     Radiance,
     /// The light on a surface.
     Irradiance,
+    /// The light of a point, in one direction.
+    Intensity,
     /// All light of a lamp.
     Flux,
 }
 
 impl Spectral {
     /// All of them, in the order of the reference.
-    pub const ALL: [Self; 5] =
-        [Self::Reflectance, Self::Coefficient, Self::Radiance, Self::Irradiance, Self::Flux];
+    pub const ALL: [Self; 6] = [
+        Self::Reflectance,
+        Self::Coefficient,
+        Self::Radiance,
+        Self::Irradiance,
+        Self::Intensity,
+        Self::Flux,
+    ];
 
     /// What it measures.
     pub const fn dimension(self) -> Dimension {
@@ -30,6 +38,7 @@ impl Spectral {
             Self::Coefficient => Dimension::COEFFICIENT,
             Self::Radiance => Dimension::RADIANCE,
             Self::Irradiance => Dimension::IRRADIANCE,
+            Self::Intensity => Dimension::INTENSITY,
             Self::Flux => Dimension::POWER,
         }
     }
@@ -41,6 +50,7 @@ impl Spectral {
             Self::Reflectance | Self::Coefficient => None,
             Self::Radiance => Some(Dimension::SPECTRAL_RADIANCE),
             Self::Irradiance => Some(Dimension::SPECTRAL_IRRADIANCE),
+            Self::Intensity => Some(Dimension::SPECTRAL_INTENSITY),
             Self::Flux => Some(Dimension::SPECTRAL_POWER),
         }
     }
@@ -52,6 +62,7 @@ impl Spectral {
             Self::Coefficient => "coefficient",
             Self::Radiance => "radiance",
             Self::Irradiance => "irradiance",
+            Self::Intensity => "intensity",
             Self::Flux => "flux",
         }
     }
@@ -63,6 +74,7 @@ impl Spectral {
             Self::Coefficient => "How often something happens to light along its way.",
             Self::Radiance => "The light along a ray; what an eye sees as brightness.",
             Self::Irradiance => "The light that falls on a surface.",
+            Self::Intensity => "The light that a point sends out in a direction.",
             Self::Flux => "All light of a lamp.",
         }
     }

@@ -51,6 +51,8 @@ quantities! {
     Radiance: Spectrum(Spectrum), Spectral::Radiance;
     /// Irradiance in W/m².
     Irradiance: Spectrum(Spectrum), Spectral::Irradiance;
+    /// Intensity in W/sr.
+    Intensity: Spectrum(Spectrum), Spectral::Intensity;
     /// Flux in W.
     Flux: Spectrum(Spectrum), Spectral::Flux;
 }

@@ -206,6 +206,36 @@ impl Hand {
         self
     }
 
+    pub fn point(self, position: DVec3, intensity: f64) -> Self {
+        self.light(scene::Light::PointLight(scene::PointLight {
+            position: at(scene::Point(position)),
+            intensity: at(scene::Intensity(Spectrum::Constant(intensity))),
+        }))
+    }
+
+    /// A spot that looks at a point, with its two angles in degrees.
+    pub fn spot(
+        self,
+        position: DVec3,
+        look_at: DVec3,
+        intensity: f64,
+        [cone, falloff]: [f64; 2],
+    ) -> Self {
+        self.light(scene::Light::SpotLight(scene::SpotLight {
+            position: at(scene::Point(position)),
+            direction: at(scene::Direction((look_at - position).normalize())),
+            intensity: at(scene::Intensity(Spectrum::Constant(intensity))),
+            cone: at(scene::Angle(cone.to_radians())),
+            falloff: at(scene::Angle(falloff.to_radians())),
+        }))
+    }
+
+    pub fn light(mut self, light: scene::Light) -> Self {
+        let name = at(format!("light{}", self.scene.lights.len()));
+        self.scene.lights.push(Named { name, value: at(light) });
+        self
+    }
+
     pub fn background(mut self, radiance: f64) -> Self {
         let light = scene::Light::Constant(scene::Constant {
             radiance: at(scene::Radiance(Spectrum::Constant(radiance))),

@@ -2,11 +2,15 @@
 
 use std::f64::consts::PI;
 
+use glam::DVec3;
+
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
+use crate::lint::placed::Thing;
+use crate::math::Bounds;
 use crate::optics::colour;
 use crate::plan::daylight::Daylight;
-use crate::scene::Light;
+use crate::scene::{Light, Named, PointLight, SpotLight};
 
 /// A surface that a light falls on straight may be so many times as bright as white: it is the
 /// lit parts of a dark scene then.
@@ -33,33 +37,57 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let lamps = lamps.map(|emission| most(colour::emitted(&emission.0)));
     // A lamp gives no surface more than if it filled all that the surface faces.
     let mut bound: f64 = lamps.map(|radiance| radiance * (1.0 + albedo)).sum();
+    let mut lights = 0.0;
+    // Of a light without extent: the least and the greatest irradiance it may give.
+    let mut straight = |light: &Named<Light>, irradiance: [f64; 2], at: Span| {
+        let [least, greatest] = irradiance.map(|irradiance| irradiance * albedo / PI);
+        lights += greatest;
+        if least * factor >= BRIGHTEST {
+            let at = (at, stated);
+            found.push(blown_out(&light.name.value, least * factor, stops, at));
+        }
+    };
     for light in &scene.lights {
-        let (irradiance, at) = match &light.value.value {
-            Light::Constant(sky) => {
-                bound += most(colour::emitted(&sky.radiance.0));
-                continue;
-            }
+        match &light.value.value {
+            Light::Constant(sky) => bound += most(colour::emitted(&sky.radiance.0)),
             Light::Directional(sun) => {
-                (most(colour::emitted(&sun.irradiance.0)), sun.irradiance.span)
+                let irradiance = most(colour::emitted(&sun.irradiance.0));
+                straight(light, [irradiance; 2], sun.irradiance.span);
+            }
+            Light::PointLight(PointLight { position, intensity })
+            | Light::SpotLight(SpotLight { position, intensity, .. }) => {
+                let value = most(colour::emitted(&intensity.0));
+                let irradiance = distances(shot, position.0).map(|d| value / d.powi(2));
+                straight(light, irradiance, intensity.span);
             }
             Light::Preetham(sky) => {
                 let Some(day) = Daylight::of(sky) else { continue };
                 // More than the sky is worth, by the little that is brighter beside the sun.
                 bound += most(day.level_irradiance());
-                (most(day.sun_irradiance()), light.value.span)
+                straight(light, [most(day.sun_irradiance()); 2], light.value.span);
             }
-        };
-        let straight = irradiance * albedo / PI;
-        bound += straight;
-        if straight * factor >= BRIGHTEST {
-            let at = (at, stated);
-            found.push(blown_out(&light.name.value, straight * factor, stops, at));
         }
     }
+    bound += lights;
     // Where nothing shines at all, that is told.
     if bound > 0.0 && bound * factor < DARKEST {
         found.push(black(bound, stated.unwrap_or(scene.integrator.span)));
     }
+}
+
+/// The greatest and the least distance of a point from surfaces. Planes reach any distance.
+fn distances(shot: &Shot, p: DVec3) -> [f64; 2] {
+    let boxes = || shot.things.iter().map(Thing::bounds);
+    let bounded = boxes().filter(|bounds| !bounds.is_empty());
+    let farthest = |bounds: Bounds| {
+        bounds.corners().into_iter().map(|corner| corner.distance(p)).fold(0.0, f64::max)
+    };
+    let (mut near, mut far) = (f64::INFINITY, 0.0_f64);
+    for bounds in bounded {
+        near = near.min(p.clamp(bounds.min, bounds.max).distance(p));
+        far = far.max(farthest(bounds));
+    }
+    if boxes().any(|bounds| bounds.is_empty()) { [f64::INFINITY, 0.0] } else { [far, near] }
 }
 
 fn blown_out(

@@ -15,6 +15,7 @@ mod inward_lamp;
 mod lamp_faces_away;
 mod large_error;
 mod light_behind_plane;
+mod light_inside;
 mod many_turns;
 mod missing_caption;
 mod names_by_case;
@@ -53,6 +54,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_LAMP_FACES_AWAY, look: Look::Render(lamp_faces_away::look) },
     Rule { code: Code::LINT_LARGE_ERROR, look: Look::Render(large_error::look) },
     Rule { code: Code::LINT_LIGHT_BEHIND_PLANE, look: Look::Renders(light_behind_plane::look) },
+    Rule { code: Code::LINT_LIGHT_INSIDE, look: Look::Render(light_inside::look) },
     Rule { code: Code::LINT_MANY_TURNS, look: Look::Render(many_turns::look) },
     Rule { code: Code::LINT_MISSING_CAPTION, look: Look::Renders(missing_caption::look) },
     Rule { code: Code::LINT_NAMES_BY_CASE, look: Look::Text(names_by_case::look) },

@@ -2,15 +2,14 @@
 
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::{Shot, everywhere};
-use crate::scene::{Integrator, Light};
+use crate::scene::Integrator;
 
 pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
     found.extend(everywhere(shots, |shot| {
         let scene = &shot.stage.scene;
         let preview = matches!(scene.integrator.value, Integrator::Preview(_));
         // A background is seen in previews too.
-        let lights =
-            scene.lights.iter().filter(|light| matches!(light.value.value, Light::Directional(_)));
+        let lights = scene.lights.iter().filter(|light| !light.value.has_extent());
         let lights = lights.map(|light| (format!("light `{}`", *light.name), light.name.span));
         let shining = scene.materials.iter().filter_map(|material| {
             let emission = material.value.emission().filter(|emission| !emission.0.is_zero())?;

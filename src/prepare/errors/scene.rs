@@ -116,6 +116,25 @@ pub fn too_bright(name: &At<String>, at: Span, what: &str, most: f64) -> Diagnos
         )
 }
 
+/// A point or a spot that lies out of reach.
+pub fn light_beyond_scene(name: &At<String>, position: Span, most: f64) -> Diagnostic {
+    let headline = format!("the light `{}` is too far from the scene", **name);
+    Diagnostic::error(Code::SCENE_BEYOND_NUMBERS, headline)
+        .label(position, format!("more than {most:e} times the size of the scene away"))
+        .why("Everything is rendered in units of the scene's size, in single precision; so far away a light is out of its reach.")
+        .help("check the unit of this point, or make the light `directional`: over such a distance its light is parallel")
+}
+
+/// A spot that would begin to fade before its axis.
+pub fn wide_falloff(name: &At<String>, falloff: Span, cone: Span) -> Diagnostic {
+    let headline = format!("the spot `{}` fades over more than its cone", **name);
+    Diagnostic::error(Code::SCENE_WIDE_FALLOFF, headline)
+        .label(falloff, "the outer part of the cone, in which the light fades")
+        .label(cone, "the angle from the axis to the edge of the cone")
+        .why("Both are angles from one place: the edge is `cone` away from the axis, and the light is whole up to `cone - falloff`.")
+        .help("write a `falloff` between 0 deg and the angle of the cone: the same angle fades from the axis on")
+}
+
 /// A lamp that faces every way and is to shine from its centre.
 pub fn closed_lamp(name: &At<String>, area_lights: Span) -> Diagnostic {
     let headline = format!("the lamp `{}` has no side from which its centre could shine", **name);
@@ -214,7 +233,10 @@ pub fn nothing_shines(integrator: Span) -> Diagnostic {
         Code::SCENE_NOTHING_SHINES,
         "nothing shines on the scene: all surfaces will be black",
     )
-    .label(integrator, "follows light from lamps and directional lights, and there are none")
+    .label(
+        integrator,
+        "follows light from lamps, points, spots and directional lights, and there are none",
+    )
     .why(
         "A `constant` light or a sky is seen behind the scene; `direct` follows it to surfaces only where its `environment` is on.",
     )

@@ -2,9 +2,9 @@
 
 use glam::{DVec3, Vec2, Vec3};
 
-use super::{Arrival, Geometry, Hit, Point, Site};
+use super::{Arrival, Geometry, Hit, Point, Site, between};
 use crate::math::{Rgb, random};
-use crate::render::geometry::{Primitive, between};
+use crate::render::geometry::Primitive;
 
 /// Surfaces that shine with the same radiance everywhere.
 #[derive(Clone, Debug)]

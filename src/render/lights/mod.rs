@@ -7,18 +7,22 @@
 mod directional;
 mod disc;
 mod lamp;
+mod point;
 mod sky;
+mod spot;
 mod surroundings;
 
 pub use directional::Directional;
 pub use disc::Disc;
 pub use lamp::{Centre, Lamp};
+pub use point::PointLight;
 pub use sky::Sky;
+pub use spot::SpotLight;
 pub use surroundings::{Sight, Surroundings};
 
 use glam::Vec3;
 
-use super::geometry::{Geometry, Hit, Point, Ray};
+use super::geometry::{Geometry, Hit, Point, Ray, between};
 use super::materials::Bsdf;
 use crate::math::Rgb;
 
@@ -41,6 +45,10 @@ pub enum Light {
     Directional(Directional),
     /// A surface that shines.
     Lamp(Lamp),
+    /// A point that shines alike in every direction.
+    Point(PointLight),
+    /// A point that shines within a cone.
+    Spot(SpotLight),
     /// What surrounds the scene.
     Surroundings(Surroundings),
 }
@@ -86,6 +94,8 @@ impl Light {
         match self {
             Self::Directional(directional) => Some(directional.arrive(&site.point)),
             Self::Lamp(lamp) => lamp.sample(geometry, &site.point, u),
+            Self::Point(point) => point.arrive(&site.point),
+            Self::Spot(spot) => spot.arrive(&site.point),
             Self::Surroundings(surroundings) => surroundings.sample(site, u),
         }
     }
@@ -103,7 +113,7 @@ impl Light {
         match self {
             Self::Lamp(lamp) => lamp.pdf_w(geometry, site, hit),
             // They are no surface.
-            Self::Directional(_) | Self::Surroundings(_) => 0.0,
+            Self::Directional(_) | Self::Point(_) | Self::Spot(_) | Self::Surroundings(_) => 0.0,
         }
     }
 }
