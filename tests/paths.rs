@@ -165,7 +165,8 @@ fn paths_of_one_scattering_are_direct_light() {
 #[test]
 fn settings_that_only_change_the_noise_change_nothing_else() {
     let plain = still_life(tracer(|_| ()));
-    let settings: [(&str, &dyn Fn(&mut scene::Path)); 9] = [
+    type Change<'a> = (&'a str, &'a dyn Fn(&mut scene::Path));
+    let settings: [Change; 9] = [
         ("mis: off", &|path| path.mis.value.0 = false),
         ("next_event: off", &|path| path.next_event.value.0 = false),
         ("lights: all", &|path| path.lights = at(LightCount::All)),
