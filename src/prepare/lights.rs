@@ -261,7 +261,12 @@ pub(super) fn gather(
 }
 
 /// What an integrator asks of lights and does not find.
-pub(super) fn check(scene: &Scene, shapes: &Assembled, plain: &Plain, found: &mut Vec<Diagnostic>) {
+pub(super) fn check(
+    scene: &Scene,
+    (bodies, shapes): (&[Placed], &Assembled),
+    plain: &Plain,
+    found: &mut Vec<Diagnostic>,
+) {
     let integrator = &scene.integrator.value;
     if !integrator.follows_light() {
         return;
@@ -281,7 +286,9 @@ pub(super) fn check(scene: &Scene, shapes: &Assembled, plain: &Plain, found: &mu
     let surrounded =
         by_sky && !plain.surroundings.is_empty() || plain.days.iter().any(|day| day.shines(by_sky));
     let sharp = plain.refused || !plain.sharp.is_empty();
-    if shapes.lamps.is_empty() && !sharp && !surrounded {
+    // Mirrors, glass and metal show what surrounds them.
+    let lit = bodies.iter().flat_map(|body| &body.materials).any(|it| it.value.scatters());
+    if lit && shapes.lamps.is_empty() && !sharp && !surrounded {
         found.push(errors::nothing_shines(scene.integrator.span));
     }
 }

@@ -183,7 +183,7 @@ fn assemble(
     let integrator = integrator::prepare(&scene.integrator, plan, space.length(1.0));
     integrator::check(&scene.integrator, &mut found);
     let shapes = shapes::assemble(&bodies, &space, &materials, plan, progress, &mut found);
-    lights::check(scene, &shapes, &lights, &mut found);
+    lights::check(scene, (&bodies, &shapes), &lights, &mut found);
     let window = film::window(&scene.film, settings);
     let camera = camera::prepare(scene, &bodies, &space, settings, &mut found);
 
