@@ -23,6 +23,8 @@ struct Worksheet {
 
 const WORKSHEETS: &[Worksheet] = &[
     Worksheet { file: "scenes/w01_first_pictures.scn", figures: 1..=6 },
+    Worksheet { file: "scenes/w02_sky_and_sun.scn", figures: 7..=10 },
+    Worksheet { file: "scenes/w03_mirror_glass_metal.scn", figures: 11..=14 },
     Worksheet { file: "scenes/w05_path_tracing.scn", figures: 22..=25 },
 ];
 
@@ -102,6 +104,9 @@ fn figures_that_show_different_things_differ() {
         ("w01/fig02", "w01/fig03_override"), // pink
         ("w01/fig02", "w01/fig04"), // shadows on the bunny
         ("w01/fig05", "w01/fig06"), // shadows in the box
+        ("w02/day_7", "w02/day_17"), // the sun has gone round
+        ("w03/fig11", "w03/fig12"), // a glass ball is no mirror
+        ("w03/fig13", "w03/fig14"), // the elephant
     ];
     for (a, b) in pairs {
         let (score, _, _) = welch(&means(a), &means(b));
