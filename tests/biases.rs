@@ -167,7 +167,9 @@ fn coloured(albedo: &Spectrum, sun: &Spectrum, lamp: &Spectrum) -> Hand {
     for material in &mut hand.scene.materials {
         let scene::Material::Diffuse(diffuse) = &mut material.value.value else { continue };
         match &*material.name.value {
-            "grey" => diffuse.albedo = at(scene::Reflectance(albedo.clone())),
+            "grey" => {
+                diffuse.albedo = at(scene::Textured::Plain(scene::Reflectance(albedo.clone())))
+            }
             "lamp" => diffuse.emission = at(scene::Radiance(lamp.clone())),
             _ => {}
         }
@@ -208,7 +210,7 @@ fn products_of_spectra_are_wrong_by_what_is_known() {
     let scene::Material::Diffuse(diffuse) = &mut hand.scene.materials[0].value.value else {
         panic!("diffuse")
     };
-    diffuse.albedo = at(scene::Reflectance(red.clone()));
+    diffuse.albedo = at(scene::Textured::Plain(scene::Reflectance(red.clone())));
     let [told] = &told(&hand)[..] else { panic!("{:?}", told(&hand)) };
     assert!(told.contains(" and `black`: 14."), "{told}");
     assert!(told.contains("; on one more material off by 4.68 %, a channel by 30.8 %"), "{told}");
@@ -245,7 +247,7 @@ fn products_that_are_exact_or_of_colours_are_not_told() {
         let scene::Material::Diffuse(diffuse) = &mut hand.scene.materials[0].value.value else {
             panic!("diffuse")
         };
-        diffuse.albedo = at(scene::Reflectance(red.clone()));
+        diffuse.albedo = at(scene::Textured::Plain(scene::Reflectance(red.clone())));
         diffuse.emission = at(scene::Radiance(tungsten.clone()));
         hand
     };

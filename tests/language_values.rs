@@ -114,7 +114,7 @@ fn an_inline_material_is_a_declaration_named_by_its_path() {
     let Material::Diffuse(found) = &scene.material(&floor.material).value.value else {
         panic!("diffuse")
     };
-    assert_eq!(found.albedo.0, Spectrum::Constant(0.3));
+    assert_eq!(found.albedo.plain().unwrap().0, Spectrum::Constant(0.3));
 }
 
 #[test]

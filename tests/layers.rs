@@ -68,7 +68,7 @@ fn still_life(integrator: Integrator) -> Hand {
 
 fn mirror(reflectance: f64) -> scene::Material {
     let reflectance = scene::Reflectance(scn::math::Spectrum::Constant(reflectance));
-    scene::Material::Mirror(scene::Mirror { reflectance: at(reflectance) })
+    scene::Material::Mirror(scene::Mirror { reflectance: at(scene::Textured::Plain(reflectance)) })
 }
 
 /// Seen, lit, caustics, mirrored; and the rest.

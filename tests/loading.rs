@@ -13,7 +13,7 @@ use scn::optics::colour::{emitted, reflected};
 use scn::scene::{
     At, BoxFilter, Camera, Count, Diffuse, Direction, Exposure, FileName, Film, Filter,
     Independent, Integrator, KaMeans, Length, Material, Mesh, Named, Number, Object, Overview,
-    Place, Preview, Radiance, Ref, Reflectance, Sampler, Scene, Size, Stop, Text,
+    Place, Preview, Radiance, Ref, Reflectance, Sampler, Scene, Size, Stop, Text, Textured,
 };
 
 const FACE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -28,7 +28,7 @@ fn scene(meshes: Vec<(&str, Mesh)>) -> Arc<Scene> {
     let material = |name: &str, albedo| Named {
         name: at(name.to_string()),
         value: at(Material::Diffuse(Diffuse {
-            albedo: at(Reflectance(Spectrum::Constant(albedo))),
+            albedo: at(Textured::Plain(Reflectance(Spectrum::Constant(albedo)))),
             emission: at(Radiance(Spectrum::Constant(0.0))),
             emits: at(scn::scene::Sides::Front),
         })),
@@ -63,6 +63,7 @@ fn scene(meshes: Vec<(&str, Mesh)>) -> Arc<Scene> {
         materials: vec![material("grey", 0.5), material("pink", 0.75)],
         media: Vec::new(),
         objects: meshes.into_iter().map(object).collect(),
+        textures: Vec::new(),
     })
 }
 
@@ -134,7 +135,7 @@ fn said(code: Code, file: &str, line: usize, words: &str) -> (Code, String, usiz
 fn paints(stage: &Stage) -> Vec<([f64; 3], [f64; 3])> {
     let paint = |material: &Named<Material>| {
         let Material::Diffuse(diffuse) = &material.value.value else { panic!("diffuse") };
-        (reflected(&diffuse.albedo.0), emitted(&diffuse.emission.0))
+        (reflected(&diffuse.albedo.plain().unwrap().0), emitted(&diffuse.emission.0))
     };
     stage.meshes[0].as_ref().unwrap().materials.iter().map(paint).collect()
 }

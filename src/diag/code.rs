@@ -216,6 +216,7 @@ codes! {
     SYNTAX_UNCLOSED_BRACKET = "syntax/unclosed-bracket";
     SYNTAX_UNCLOSED_STRING = "syntax/unclosed-string";
     SYNTAX_UNEXPECTED = "syntax/unexpected";
+    TEXTURE_NO_COORDINATES = "texture/no-coordinates";
     TYPE_ARGUMENTS = "type/arguments";
     TYPE_EMPTY_RANGE = "type/empty-range";
     TYPE_MISMATCH = "type/mismatch";

@@ -224,25 +224,27 @@ impl Composer<'_> {
                 record.fields[at].value = Thunk::Ready(changed);
                 Some(rebuilt(value, record))
             }
-            Type::Reference { kind, target } => match &value.kind {
-                ValueKind::Record(_) => self.change(value, target, parts, new, path, place),
-                _ => {
-                    let name = match &value.kind {
-                        ValueKind::Word(word) => word.text.to_string(),
-                        ValueKind::Text { text, .. } => text.to_string(),
-                        _ => return None,
-                    };
-                    let rest: Vec<_> = parts.iter().map(|part| &*part.text).collect();
-                    reports.tell(types::part_of_named(
-                        path,
-                        kind,
-                        &name,
-                        &rest.join("."),
-                        part.span,
-                    ));
-                    None
+            Type::Reference { kind, target } | Type::Textured { kind, target, .. } => {
+                match &value.kind {
+                    ValueKind::Record(_) => self.change(value, target, parts, new, path, place),
+                    _ => {
+                        let name = match &value.kind {
+                            ValueKind::Word(word) => word.text.to_string(),
+                            ValueKind::Text { text, .. } => text.to_string(),
+                            _ => return None,
+                        };
+                        let rest: Vec<_> = parts.iter().map(|part| &*part.text).collect();
+                        reports.tell(types::part_of_named(
+                            path,
+                            kind,
+                            &name,
+                            &rest.join("."),
+                            part.span,
+                        ));
+                        None
+                    }
                 }
-            },
+            }
             _ => {
                 reports.tell(types::no_parts(path, &value.described(), part.span));
                 None

@@ -101,7 +101,7 @@ fn needed(items: Vec<Item>) -> Vec<Item> {
 /// The kinds that a type refers to.
 pub fn references(ty: &Type) -> Vec<&'static str> {
     let records = match ty {
-        Type::Reference { kind, .. } => return vec![*kind],
+        Type::Reference { kind, .. } | Type::Textured { kind, .. } => return vec![*kind],
         Type::List(inner) | Type::Map(inner) => return references(inner),
         Type::OneOf(variants) => variants.all,
         Type::Record(record) => std::slice::from_ref(*record),
@@ -118,7 +118,9 @@ fn named<'c>(checked: &'c Checked, ty: &Type, found: &mut Vec<(&'static str, &'c
         }
     };
     match (checked, ty) {
-        (Checked::Reference(name), Type::Reference { kind, .. }) => found.push((kind, name)),
+        (Checked::Reference(name), Type::Reference { kind, .. } | Type::Textured { kind, .. }) => {
+            found.push((kind, name))
+        }
         (Checked::Variant(which, fields), Type::OneOf(variants)) => {
             all(fields, &variants.all[*which])
         }

@@ -19,7 +19,7 @@ use std::collections::HashMap;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::outline::{Declared, Outline};
 use crate::load::Stage;
-use crate::scene::At;
+use crate::scene::{At, Reflectance, Scene};
 
 pub use allow::{Seen, allowed};
 pub use fix::{Fixed, fixed};
@@ -84,6 +84,21 @@ impl<'a> Shot<'a> {
     /// Its name.
     pub fn name(&self) -> &str {
         &self.name.value
+    }
+
+    /// What is said of light given back, with the name of the material or the texture.
+    fn reflectances(&self) -> impl Iterator<Item = (&'a str, At<&'a Reflectance>)> {
+        let scene: &Scene = &self.stage.scene;
+        let plain = scene.materials.iter().filter_map(|material| {
+            let said = material.value.value.reflectance()?;
+            Some((material.name.value.as_str(), At::new(said.value.plain()?, said.span)))
+        });
+        let textures = scene.textures.iter().flat_map(|texture| {
+            let colours = texture.value.value.colours().into_iter();
+            let at = |said: &'a At<Reflectance>| At::new(&said.value, said.span);
+            colours.map(move |said| (texture.name.value.as_str(), at(said)))
+        });
+        plain.chain(textures)
     }
 }
 

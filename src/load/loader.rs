@@ -6,7 +6,7 @@ use std::sync::Arc;
 use sha2::{Digest, Sha256};
 
 use super::files::Shelf;
-use super::{SceneHash, Stage, StagedFile, meshes};
+use super::{SceneHash, Stage, StagedFile, StagedTexture, meshes};
 use crate::diag::{Diagnostic, Level, Sources};
 use crate::math::Progress;
 use crate::scene::{Object, Scene};
@@ -61,6 +61,11 @@ impl<'a> Loader<'a> {
         let stage = whole.then(|| Stage {
             scene: scene.clone(),
             meshes: staged,
+            textures: scene
+                .textures
+                .iter()
+                .map(|texture| StagedTexture { texture: texture.clone() })
+                .collect(),
             hash: hash(scene, &used),
             light_hash: hash(&light(scene), &used),
             files: used.into_iter().map(|used| used.file).collect(),

@@ -7,7 +7,7 @@ use super::errors::mtl as errors;
 use crate::diag::{Diagnostic, FileId, Span};
 use crate::files::mtl::{self, Said};
 use crate::math::Spectrum;
-use crate::scene::{self, At, Diffuse, KaMeans, Named, Radiance, Reflectance, Sides};
+use crate::scene::{self, At, Diffuse, KaMeans, Named, Radiance, Reflectance, Sides, Textured};
 
 /// The source a material's places are in.
 #[derive(Clone, Copy)]
@@ -42,7 +42,7 @@ pub(super) fn scene_material(
         };
     }
     let diffuse = Diffuse {
-        albedo: albedo.map(|rgb| Reflectance(Spectrum::Rgb(rgb))),
+        albedo: albedo.map(|rgb| Textured::Plain(Reflectance(Spectrum::Rgb(rgb)))),
         emission: emission.map(|rgb| Radiance(Spectrum::Rgb(rgb))),
         emits: At::new(Sides::Front, whole),
     };

@@ -9,4 +9,4 @@ mod stage;
 mod tidy;
 
 pub use loader::Loader;
-pub use stage::{SceneHash, Stage, StagedFile, StagedMesh};
+pub use stage::{SceneHash, Stage, StagedFile, StagedMesh, StagedTexture};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::diag::Span;
 use crate::math::Mesh;
-use crate::scene::{Material, Named, Scene};
+use crate::scene::{Material, Named, Ref, Scene, Texture};
 
 /// A scene, and what its files hold. Nothing is placed or scaled yet.
 #[derive(Clone, Debug)]
@@ -14,6 +14,8 @@ pub struct Stage {
     pub scene: Arc<Scene>,
     /// One for each of `scene.objects`, in their order; None for objects that need no file.
     pub meshes: Vec<Option<StagedMesh>>,
+    /// The textures that materials may name, by their names.
+    pub textures: Vec<StagedTexture>,
     /// The files read, each once, in the order of first use.
     pub files: Vec<StagedFile>,
     /// What the picture depends on beside settings and seed.
@@ -30,6 +32,22 @@ pub struct StagedMesh {
     pub mesh: Arc<Mesh>,
     /// One for each of `mesh.material_names`: what the .mtl says or the scene says in its place.
     pub materials: Vec<Named<Material>>,
+}
+
+/// A texture with what its file holds.
+#[derive(Clone, Debug)]
+pub struct StagedTexture {
+    /// As it is declared.
+    pub texture: Named<Texture>,
+}
+
+impl Stage {
+    /// The texture a reference names.
+    pub fn texture(&self, name: &Ref<Texture>) -> &StagedTexture {
+        let mut all = self.textures.iter();
+        let found = all.find(|staged| staged.texture.name.value == name.name);
+        found.expect("checked: references name declarations")
+    }
 }
 
 /// A file that was read.

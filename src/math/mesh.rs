@@ -25,4 +25,11 @@ pub struct Mesh {
 impl Mesh {
     /// Stands in `normal_indices` for a corner without a shading normal.
     pub const NO_NORMAL: u32 = u32::MAX;
+
+    /// How many triangles of a slot lack texture coordinates, and how many it has.
+    pub fn without_coordinates(&self, slot: u32) -> (usize, usize) {
+        let of_slot = |number: usize| self.slots.get(number).copied().unwrap_or(0) == slot;
+        let all = (0..self.triangles.len()).filter(|number| of_slot(*number)).count();
+        (all, all)
+    }
 }

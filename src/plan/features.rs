@@ -107,9 +107,7 @@ impl Plan {
                 Feature::ShadowRays => asked.shadow_rays(),
                 Feature::LampPoints => asked.lamp_points(),
                 Feature::Normals => normals(stage),
-                Feature::Coordinates => {
-                    (Need::Unneeded, "no material reads a texture".to_string(), None)
-                }
+                Feature::Coordinates => asked.coordinates(),
                 Feature::Paths => paths(stage, integrator),
             };
             Answer { feature, need, why, at }
@@ -230,6 +228,17 @@ fn paths(stage: &Stage, integrator: &Integrator) -> Reason {
             (Need::Required, why, Some(layer.name.span))
         }
         (None, None) => (Need::Unneeded, "all of them go to the picture".to_string(), None),
+    }
+}
+
+impl Asked<'_> {
+    fn coordinates(&self) -> Reason {
+        let Some((surface, texture)) = self.survey.textured() else {
+            return (Need::Unneeded, "no material reads a texture".to_string(), None);
+        };
+        let (material, name) = (&surface.material.name, &surface.object.name);
+        let why = format!("`{}` on `{}` reads the texture `{texture}`", **material, **name);
+        (Need::Required, why, Some(name.span))
     }
 }
 

@@ -6,6 +6,7 @@
 //! of a picture: `--force all` puts everything in, and a test compares the two.
 
 pub mod daylight;
+mod textures;
 mod survey;
 mod features;
 mod spectra;
@@ -14,3 +15,4 @@ pub mod errors;
 
 pub use bias::{Bias, Kind, biases};
 pub use features::{Answer, Feature, Need, Plan};
+pub use textures::largest;

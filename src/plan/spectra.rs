@@ -11,7 +11,7 @@ use super::survey::Survey;
 use crate::diag::Span;
 use crate::math::Spectrum;
 use crate::optics::colour;
-use crate::scene::{Material, Named, Object};
+use crate::scene::{Material, Named, Object, Textured};
 
 /// A part below which errors are not told: so much lies between the ways to integrate spectra.
 const NEGLIGIBLE: f64 = 1e-4;
@@ -81,12 +81,19 @@ fn shining<'a>(survey: &Survey<'a>) -> Vec<Side<'a>> {
 
 /// Surfaces on which some light may come out wrong: those of a spectrum that is no plain number.
 fn scattering<'a>(survey: &Survey<'a>) -> Vec<Side<'a>> {
-    let mut found = materials(survey, |material| {
-        let reflectance = material.reflectance()?;
-        Some((&reflectance.value.0, reflectance.span))
-    });
     let varies = |of: &Spectrum| matches!(of, Spectrum::Table(_) | Spectrum::Formula { .. });
-    found.retain(|side| !side.spectrum.is_zero() && varies(side.spectrum));
+    let mut found = materials(survey, |material| {
+        let colours = match &material.reflectance()?.value {
+            Textured::Plain(plain) => vec![(plain, material.reflectance()?.span)],
+            Textured::Texture(name) => {
+                let texture = &survey.stage.texture(name).texture.value;
+                texture.colours().into_iter().map(|colour| (&colour.value, colour.span)).collect()
+            }
+        };
+        // Of a texture, the first of its colours.
+        colours.into_iter().map(|(colour, at)| (&colour.0, at)).find(|(colour, _)| varies(colour))
+    });
+    found.retain(|side| !side.spectrum.is_zero());
     found
 }
 

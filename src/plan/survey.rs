@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::daylight::Daylight;
+use super::textures::largest;
 use crate::load::Stage;
 use crate::math::Spectrum;
 use crate::optics::colour;
@@ -19,6 +20,7 @@ pub(super) struct Survey<'a> {
     pub discs: Vec<&'a Named<Light>>,
     /// What surrounds the scene and shines: `constant` lights and skies.
     pub surroundings: Vec<&'a Named<Light>>,
+    pub stage: &'a Stage,
     camera: &'a scene::Camera,
     objects: &'a [Named<Object>],
 }
@@ -56,11 +58,12 @@ impl<'a> Survey<'a> {
                         }
                     }
                     let used = mesh.materials.iter().zip(used).filter(|(_, used)| *used);
-                    surfaces.extend(used.map(|(material, _)| Surface::new(object, material)));
+                    surfaces
+                        .extend(used.map(|(material, _)| Surface::new(stage, object, material)));
                     continue;
                 }
             };
-            surfaces.push(Surface::new(object, scene.material(material)));
+            surfaces.push(Surface::new(stage, object, scene.material(material)));
         }
         let lights = |wanted: fn(&Light) -> bool| {
             scene.lights.iter().filter(|light| wanted(&light.value)).collect()
@@ -79,6 +82,7 @@ impl<'a> Survey<'a> {
                 Light::Preetham(sky) => is_day(sky),
                 other => other.has_extent() && shines(other),
             }),
+            stage,
             camera: &scene.camera,
             objects: &scene.objects,
         }
@@ -126,6 +130,14 @@ impl<'a> Survey<'a> {
     pub fn only_convex(&self) -> Option<&'a Named<Object>> {
         let [only] = self.objects else { return None };
         self.is_convex(only).then_some(only)
+    }
+
+    /// The first surface whose material reads a texture, and the texture's name.
+    pub fn textured(&self) -> Option<(&Surface<'a>, &'a str)> {
+        self.surfaces.iter().find_map(|surface| {
+            let texture = surface.material.value.value.texture()?;
+            Some((surface, texture.name.as_str()))
+        })
     }
 
     /// Whether light that surfaces scatter may meet one that scatters it again.
@@ -180,10 +192,10 @@ fn is_outside(eye: DVec3, centre: DVec3, radius: f64) -> bool {
 }
 
 impl<'a> Surface<'a> {
-    fn new(object: &'a Named<Object>, material: &'a Named<Material>) -> Self {
+    fn new(stage: &Stage, object: &'a Named<Object>, material: &'a Named<Material>) -> Self {
         let scatters = material.value.scatters();
         let albedo = material.value.reflectance().filter(|_| scatters);
-        let albedo = albedo.map_or([0.0; 3], |albedo| colour::reflected(&albedo.0));
+        let albedo = albedo.map_or([0.0; 3], |albedo| largest(stage, albedo));
         Self {
             object,
             material,

@@ -43,7 +43,7 @@ pub(super) fn prepare(
     }
     let (size, _) = film::window(&scene.film, settings).ok()?;
     let floors = bodies.iter().filter_map(|placed| match placed.body {
-        Body::Plane { point, normal } => Some(Floor::new(space.point(point), normal)),
+        Body::Plane { point, normal, .. } => Some(Floor::new(space.point(point), normal)),
         _ => None,
     });
     // A little more than what there is, for the rounding of shapes.

@@ -11,7 +11,7 @@ use super::space::Space;
 use crate::diag::{Diagnostic, Span};
 use crate::load::Stage;
 use crate::optics::colour;
-use crate::plan::{Feature, Plan};
+use crate::plan::{self, Feature, Plan};
 use crate::render::geometry::{Geometry, Owner, Primitive};
 use crate::render::lights::{
     Centre, Directional, Lamp, Light, Lights, PointLight, Sight, SpotLight, Surroundings,
@@ -39,11 +39,12 @@ const FARTHEST_POINT: f64 = 1e15;
 
 /// The unit of light: the power of two at or below the brightest light of the scene.
 pub(super) fn unit(
-    scene: &Scene,
+    stage: &Stage,
     bodies: &[Placed],
     space: &Space,
     found: &mut Vec<Diagnostic>,
 ) -> f64 {
+    let scene = &*stage.scene;
     let mut brightest = 0.0_f64;
     let mut refused: Vec<Span> = Vec::new();
     let mut largest = |channels: [f64; 3], span: Span, what: &str, name: &At<String>| {
@@ -71,7 +72,7 @@ pub(super) fn unit(
     }
     for material in bodies.iter().flat_map(|body| &body.materials) {
         if let Some(albedo) = material.value.reflectance() {
-            largest(colour::reflected(&albedo.0), albedo.span, "albedo of", &material.name);
+            largest(plan::largest(stage, albedo), albedo.span, "albedo of", &material.name);
         }
         if let Some(emission) = material.value.emission() {
             let (shines, at) = (colour::emitted(&emission.0), emission.span);

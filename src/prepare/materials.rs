@@ -3,7 +3,9 @@
 use std::collections::{BTreeMap, HashMap};
 
 use super::objects::Placed;
+use super::textures::Textures;
 use crate::diag::Span;
+use crate::load::Stage;
 use crate::math::{Rgb, Spectrum};
 use crate::optics::{self, colour};
 use crate::render::materials::{Conductor, Dielectric, Diffuse, Material, Mirror};
@@ -19,7 +21,8 @@ pub(super) struct Table {
 
 /// Makes the table of all materials of these objects; a declaration is in it once, one that shines
 /// once for each object.
-pub(super) fn table(scene: &Scene, bodies: &[Placed], light_unit: f64) -> Table {
+pub(super) fn table(stage: &Stage, bodies: &[Placed], light_unit: f64) -> Table {
+    let mut textures = Textures::of(stage);
     let mut table = Table { all: Vec::new(), slots: BTreeMap::new() };
     // A material is known by the place of its declaration: its name alone may be used again by
     // another file of materials. One that shines makes a lamp of each object.
@@ -35,7 +38,7 @@ pub(super) fn table(scene: &Scene, bodies: &[Placed], light_unit: f64) -> Table 
                 ))
                 .or_insert(table.all.len() as u32);
             if number as usize == table.all.len() {
-                table.all.push(material(scene, &named.value, light_unit));
+                table.all.push(material(&mut textures, &named.value, light_unit));
             }
             slots.push(number);
         }
@@ -62,7 +65,8 @@ impl Table {
     }
 }
 
-fn material(scene: &Scene, material: &scene::Material, light_unit: f64) -> Material {
+fn material(textures: &mut Textures, material: &scene::Material, light_unit: f64) -> Material {
+    let scene = &*textures.stage.scene;
     match material {
         scene::Material::Conductor(conductor) => Material::Conductor(Conductor {
             n: channels(&conductor.ior.n),
@@ -72,11 +76,11 @@ fn material(scene: &Scene, material: &scene::Material, light_unit: f64) -> Mater
             inside: index(scene, &dielectric.inside),
             outside: dielectric.outside.as_ref().map_or(1.0, |medium| index(scene, medium)),
         }),
-        scene::Material::Mirror(mirror) => Material::Mirror(Mirror {
-            reflectance: as_f32(colour::reflected(&mirror.reflectance.0)),
-        }),
+        scene::Material::Mirror(mirror) => {
+            Material::Mirror(Mirror { reflectance: textures.colour(&mirror.reflectance) })
+        }
         scene::Material::Diffuse(diffuse) => Material::Diffuse(Diffuse {
-            albedo: as_f32(colour::reflected(&diffuse.albedo.0)),
+            albedo: textures.colour(&diffuse.albedo),
             emission: in_units(&diffuse.emission.0, light_unit),
             both: diffuse.emits.value == Sides::Both,
         }),

@@ -5,6 +5,7 @@
 //! film become what render knows. Faults are collected all the way.
 
 mod camera;
+mod charts;
 mod daylight;
 mod errors;
 mod film;
@@ -15,6 +16,7 @@ mod objects;
 mod paths;
 mod shapes;
 mod space;
+mod textures;
 
 use crate::diag::{Diagnostic, Level, Span};
 use crate::load::Stage;
@@ -170,15 +172,15 @@ fn assemble(
     if bodies.len() < scene.objects.len() {
         // What is missing would be missed everywhere: tell no consequences, only other faults.
         let space = space::Space::around(&bodies, &scene.camera);
-        lights::unit(scene, &bodies, &space, &mut found);
+        lights::unit(stage, &bodies, &space, &mut found);
         daylight::check(scene, &mut found);
         camera::check(scene, &mut found);
         return (None, found);
     }
     let space = space::Space::around(&bodies, &scene.camera);
-    let light_unit = lights::unit(scene, &bodies, &space, &mut found);
+    let light_unit = lights::unit(stage, &bodies, &space, &mut found);
     daylight::check(scene, &mut found);
-    let materials = materials::table(scene, &bodies, light_unit);
+    let materials = materials::table(stage, &bodies, light_unit);
     let lights = lights::plain(scene, &space, light_unit, &mut found);
     let integrator = integrator::prepare(&scene.integrator, plan, space.length(1.0));
     integrator::check(&scene.integrator, &mut found);

@@ -1,8 +1,9 @@
 //! Objects, placed in f64: where everything is, in metres.
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DVec2, DVec3};
 
-use super::errors::scene as errors;
+use super::charts;
+use super::errors::{scene as errors, texture as texture_errors};
 use crate::diag::{Diagnostic, Span};
 use crate::load::{Stage, StagedMesh};
 use crate::math::{Bounds, Mesh, Transform};
@@ -24,14 +25,17 @@ pub(super) struct Placed<'a> {
 pub(super) enum Body<'a> {
     /// Triangles of a mesh, and the map from its file to metres.
     Mesh { mesh: &'a Mesh, to_metres: Transform },
-    /// A flat face of three or four corners, counter-clockwise seen from the front.
-    Face { corners: Vec<DVec3> },
-    /// A sphere.
-    Sphere { centre: DVec3, radius: f64 },
+    /// A flat face of three or four corners, counter-clockwise seen from the front, with the
+    /// texture coordinates of each.
+    Face { corners: Vec<DVec3>, coordinates: Vec<DVec2> },
+    /// A sphere. Charts are from metres, and as [`Shapes::chart`] wants them.
+    ///
+    /// [`Shapes::chart`]: crate::render::geometry::Shapes::chart
+    Sphere { centre: DVec3, radius: f64, chart: Transform },
     /// A disk; `normal` has unit length.
-    Disk { centre: DVec3, normal: DVec3, radius: f64 },
+    Disk { centre: DVec3, normal: DVec3, radius: f64, chart: Transform },
     /// A plane; `normal` has unit length.
-    Plane { point: DVec3, normal: DVec3 },
+    Plane { point: DVec3, normal: DVec3, chart: Transform },
 }
 
 /// Coordinates and sizes in metres must lie below this, and sizes above its inverse: their
@@ -50,6 +54,10 @@ pub(super) fn place<'a>(stage: &'a Stage, found: &mut Vec<Diagnostic>) -> Vec<Pl
             (other, _) => material(other).map(|m| scene.material(m)).into_iter().collect(),
         };
         let placed = Placed { number: number as u32, name, body, materials };
+        if let Some(fault) = placed.lacks_coordinates() {
+            found.push(fault);
+            continue;
+        }
         if placed.is_within_numbers() {
             all.push(placed);
         } else {
@@ -85,6 +93,7 @@ fn body<'a>(
                 centre: place.point(disk.center.0),
                 normal: front(place, disk.normal.0),
                 radius: scale * disk.radius.0,
+                chart: charts::disk(place, disk),
             })
         }
         Object::Mesh(object) => {
@@ -95,26 +104,29 @@ fn body<'a>(
         Object::Plane(plane) => {
             let place = placing.transform(&plane.place)?;
             let normal = front(place, plane.normal.0);
-            Some(Body::Plane { point: place.point(plane.point.0), normal })
+            let chart = charts::plane(place, plane);
+            Some(Body::Plane { point: place.point(plane.point.0), normal, chart })
         }
         Object::Quad(quad) => {
             let place = placing.transform(&quad.place)?;
             let (corner, u, v) = (quad.corner.0, quad.u.0, quad.v.0);
             let spans = [quad.u.span, quad.v.span];
             placing.area(u, v, &spans, "its edges `u` and `v` point the same way")?;
-            placing.face(place, vec![corner, corner + u, corner + u + v, corner + v])
+            let corners = vec![corner, corner + u, corner + u + v, corner + v];
+            placing.face(place, corners, vec![DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y])
         }
         Object::Sphere(sphere) => {
             let (place, scale) = placing.evenly(&sphere.place, "sphere")?;
             let centre = place.point(sphere.center.0);
-            Some(Body::Sphere { centre, radius: scale * sphere.radius.0 })
+            let chart = charts::sphere(place, sphere);
+            Some(Body::Sphere { centre, radius: scale * sphere.radius.0, chart })
         }
         Object::Triangle(triangle) => {
             let place = placing.transform(&triangle.place)?;
             let (a, b, c) = (triangle.a.0, triangle.b.0, triangle.c.0);
             let spans = [triangle.a.span, triangle.b.span, triangle.c.span];
             placing.area(b - a, c - a, &spans, "its corners lie on one line")?;
-            placing.face(place, vec![a, b, c])
+            placing.face(place, vec![a, b, c], vec![DVec2::ZERO, DVec2::X, DVec2::Y])
         }
     }
 }
@@ -164,16 +176,36 @@ impl Placing<'_> {
         None
     }
 
-    fn face<'b>(&self, place: Transform, corners: Vec<DVec3>) -> Option<Body<'b>> {
+    fn face<'b>(
+        &self,
+        place: Transform,
+        corners: Vec<DVec3>,
+        mut coordinates: Vec<DVec2>,
+    ) -> Option<Body<'b>> {
         let mut corners: Vec<_> = corners.into_iter().map(|corner| place.point(corner)).collect();
         if place.mirrors() {
             corners.reverse();
+            coordinates.reverse();
         }
-        Some(Body::Face { corners })
+        Some(Body::Face { corners, coordinates })
     }
 }
 
 impl Placed<'_> {
+    /// The fault of a mesh with a texture that it has no coordinates for.
+    fn lacks_coordinates(&self) -> Option<Diagnostic> {
+        let Body::Mesh { mesh, .. } = self.body else { return None };
+        let slots = self.materials.iter().enumerate();
+        slots.into_iter().find_map(|(slot, material)| {
+            let said = material.value.value.reflectance()?;
+            let texture = said.texture()?;
+            let counts = mesh.without_coordinates(slot as u32);
+            (counts.0 > 0).then(|| {
+                texture_errors::no_coordinates(self.name, &texture.name, said.span, counts)
+            })
+        })
+    }
+
     /// The box around it in metres; empty for a plane.
     pub fn bounds(&self) -> Bounds {
         match &self.body {
@@ -181,11 +213,11 @@ impl Placed<'_> {
                 let corners = mesh.triangles.iter().flatten();
                 Bounds::around(corners.map(|i| to_metres.point(mesh.positions[*i as usize])))
             }
-            Body::Face { corners } => Bounds::around(corners.iter().copied()),
-            Body::Sphere { centre, radius } => {
+            Body::Face { corners, .. } => Bounds::around(corners.iter().copied()),
+            Body::Sphere { centre, radius, .. } => {
                 Bounds { min: *centre - *radius, max: *centre + *radius }
             }
-            Body::Disk { centre, normal, radius } => {
+            Body::Disk { centre, normal, radius, .. } => {
                 let reach =
                     *radius * (DVec3::ONE - *normal * *normal).max(DVec3::ZERO).map(f64::sqrt);
                 Bounds { min: *centre - reach, max: *centre + reach }
@@ -198,7 +230,7 @@ impl Placed<'_> {
         let near = |p: DVec3| p.abs().max_element() <= MOST;
         let size = |r: f64| (1.0 / MOST..=MOST).contains(&r);
         match &self.body {
-            Body::Sphere { centre, radius } | Body::Disk { centre, radius, .. } => {
+            Body::Sphere { centre, radius, .. } | Body::Disk { centre, radius, .. } => {
                 near(*centre) && size(*radius)
             }
             Body::Plane { point, .. } => near(*point),

@@ -70,8 +70,15 @@ pub(super) fn assemble(
     }
     for (done, placed) in bodies.iter().enumerate() {
         progress.advance(done as u64, bodies.len() as u64);
-        let mut one =
-            One { placed, space, materials, all: &mut all, lamps: BTreeMap::new(), slivers: 0 };
+        let mut one = One {
+            placed,
+            space,
+            materials,
+            plan,
+            all: &mut all,
+            lamps: BTreeMap::new(),
+            slivers: 0,
+        };
         one.put(found);
         let (lamps, slivers) = (one.lamps, one.slivers);
         all.lamps.extend(lamps.into_values());
@@ -93,7 +100,7 @@ impl Body<'_> {
     fn triangles(&self) -> usize {
         match self {
             Self::Mesh { mesh, .. } => mesh.triangles.len(),
-            Self::Face { corners } => corners.len() - 2,
+            Self::Face { corners, .. } => corners.len() - 2,
             _ => 0,
         }
     }
@@ -117,6 +124,7 @@ struct One<'a> {
     placed: &'a Placed<'a>,
     space: &'a Space,
     materials: &'a Table,
+    plan: &'a Plan,
     all: &'a mut Assembled,
     /// By material.
     lamps: BTreeMap<u32, LampParts>,
@@ -127,17 +135,25 @@ impl One<'_> {
     fn put(&mut self, found: &mut Vec<Diagnostic>) {
         match &self.placed.body {
             Body::Mesh { mesh, to_metres } => self.mesh(mesh, *to_metres),
-            Body::Face { corners } => {
+            Body::Face { corners, coordinates } => {
                 let corners: Vec<_> =
                     corners.iter().map(|corner| self.space.point(*corner).as_vec3()).collect();
                 let indices: Vec<_> =
                     corners.iter().map(|corner| self.all.shapes.vertex(*corner)).collect();
+                let laid: Option<Vec<_>> = self.is_charted(0).then(|| {
+                    let corners = coordinates.iter().map(|uv| uv.as_vec2());
+                    corners.map(|uv| self.all.shapes.coordinate(uv)).collect()
+                });
                 for i in 1..corners.len() - 1 {
-                    let at = [corners[0], corners[i], corners[i + 1]];
-                    self.triangle(at, [indices[0], indices[i], indices[i + 1]], None, 0);
+                    let of = [0, i, i + 1];
+                    let triangle =
+                        self.triangle(of.map(|i| corners[i]), of.map(|i| indices[i]), None, 0);
+                    if let (Some(triangle), Some(laid)) = (triangle, &laid) {
+                        self.all.shapes.lay(triangle, of.map(|i| laid[i]));
+                    }
                 }
             }
-            Body::Sphere { centre, radius } => {
+            Body::Sphere { centre, radius, chart } => {
                 let centre = self.space.point(*centre);
                 let radius = self.space.length(*radius);
                 let shape = Sphere {
@@ -147,6 +163,7 @@ impl One<'_> {
                 };
                 if self.has_area(radius) {
                     let primitive = self.all.shapes.sphere(shape);
+                    self.chart(primitive, *chart);
                     let area = 4.0 * std::f64::consts::PI * radius * radius;
                     // It faces every way.
                     self.shines(
@@ -159,7 +176,7 @@ impl One<'_> {
                     );
                 }
             }
-            Body::Disk { centre, normal, radius } => {
+            Body::Disk { centre, normal, radius, chart } => {
                 let centre = self.space.point(*centre);
                 let radius = self.space.length(*radius);
                 let shape = Disk {
@@ -170,6 +187,7 @@ impl One<'_> {
                 };
                 if self.has_area(radius) {
                     let primitive = self.all.shapes.disk(shape);
+                    self.chart(primitive, *chart);
                     let area = std::f64::consts::PI * radius * radius;
                     self.shines(
                         shape.owner,
@@ -181,7 +199,7 @@ impl One<'_> {
                     );
                 }
             }
-            Body::Plane { point, normal } => {
+            Body::Plane { point, normal, chart } => {
                 // The point of the plane that is nearest to the middle of the scene.
                 let point = *normal * normal.dot(self.space.point(*point));
                 if point.length() > FARTHEST_PLANE {
@@ -194,6 +212,7 @@ impl One<'_> {
                     owner: self.owner(0),
                 };
                 let primitive = self.all.shapes.plane(shape);
+                self.chart(primitive, *chart);
                 self.count().others += 1;
                 let endless = f64::INFINITY;
                 self.shines(shape.owner, primitive, endless, point, *normal, point.abs());
@@ -238,27 +257,41 @@ impl One<'_> {
         }
     }
 
-    /// Adds a triangle unless it has no area.
+    /// Adds a triangle; None: it has no area.
     fn triangle(
         &mut self,
         at: [Vec3; 3],
         corners: [u32; 3],
         normals: Option<[u32; 3]>,
         slot: usize,
-    ) {
+    ) -> Option<Primitive> {
         // Differences and products of f32 are exact in f64, so no area is exactly no area.
         let [a, b, c] = at.map(|corner| corner.as_dvec3());
         let facing = 0.5 * (b - a).cross(c - a);
         let area = facing.length();
         if area < LEAST_AREA {
             self.slivers += 1;
-            return;
+            return None;
         }
         let owner = self.owner(slot);
         let primitive = self.all.shapes.triangle(Triangle { corners, normals, owner });
         self.count().triangles += 1;
         let reach = a.abs().max(b.abs()).max(c.abs());
         self.shines(owner, primitive, area, (a + b + c) / 3.0, facing, reach);
+        Some(primitive)
+    }
+
+    /// Whether coordinates are kept of surfaces of this slot.
+    fn is_charted(&self, slot: usize) -> bool {
+        let textured = self.placed.materials[slot].value.texture().is_some();
+        self.plan.builds(Feature::Coordinates) && (textured || self.plan.forced)
+    }
+
+    fn chart(&mut self, primitive: Primitive, from_metres: Transform) {
+        if self.is_charted(0) {
+            let to_metres = Transform(self.space.to_metres());
+            self.all.shapes.chart(primitive, to_metres.then(from_metres).0);
+        }
     }
 
     /// Counts a round shape, if it has an area that single precision can tell.

@@ -4,7 +4,7 @@
 //! So single precision is spent where the scene is, wherever and however large its author made
 //! it; a scene scaled by a power of two becomes the same world, bit by bit.
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
 
 use super::objects::{Body, Placed};
 use crate::math::Bounds;
@@ -54,6 +54,12 @@ impl Space {
     /// A point.
     pub fn point(&self, metres: DVec3) -> DVec3 {
         (metres - self.centre) * self.scale
+    }
+
+    /// The map from world units to metres.
+    pub fn to_metres(self) -> DAffine3 {
+        let scale = DVec3::splat(1.0 / self.scale);
+        DAffine3::from_translation(self.centre) * DAffine3::from_scale(scale)
     }
 
     /// A length.

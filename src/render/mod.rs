@@ -1,6 +1,7 @@
 //! World → samples. Knows light, not words. Cannot fail, cannot read, cannot print.
 //!
-//! Inside: integrators → {world film samplers tiles} → {cameras lights materials} → geometry.
+//! Inside: integrators → {world film samplers tiles} → {cameras lights materials} →
+//! {textures geometry}.
 
 pub mod integrators;
 pub mod tiles;
@@ -10,6 +11,7 @@ pub mod samplers;
 pub mod cameras;
 pub mod lights;
 pub mod materials;
+pub mod textures;
 pub mod geometry;
 
 pub use world::World;

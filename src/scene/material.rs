@@ -1,7 +1,7 @@
 //! Materials: what a surface does with light.
 
 use super::vocabulary::vocabulary;
-use super::{At, Index, Medium, Radiance, Ref, Reflectance};
+use super::{At, Index, Medium, Radiance, Ref, Reflectance, Texture, Textured};
 
 vocabulary! {
     /// What a surface does with light.
@@ -22,7 +22,7 @@ vocabulary! {
         /// Lambert's: the same radiance in every direction.
         "diffuse" => Diffuse {
             /// The part of the light that is scattered back.
-            albedo: Reflectance;
+            albedo: Textured<Reflectance>;
             /// What it shines of itself. A surface with an emission is a lamp.
             emission: Radiance = "0 W/m^2/sr";
             /// Which of its sides shine.
@@ -31,7 +31,7 @@ vocabulary! {
         /// A perfect mirror.
         "mirror" => Mirror {
             /// The part of the light that is given back.
-            reflectance: Reflectance = "1";
+            reflectance: Textured<Reflectance> = "1";
         }
     }
 }
@@ -48,12 +48,17 @@ vocabulary! {
 
 impl Material {
     /// The part of light it gives back, if that is a field of it.
-    pub fn reflectance(&self) -> Option<&At<Reflectance>> {
+    pub fn reflectance(&self) -> Option<&At<Textured<Reflectance>>> {
         match self {
             Self::Diffuse(diffuse) => Some(&diffuse.albedo),
             Self::Mirror(mirror) => Some(&mirror.reflectance),
             Self::Conductor(_) | Self::Dielectric(_) => None,
         }
+    }
+
+    /// The texture it reads, if it reads one.
+    pub fn texture(&self) -> Option<&Ref<Texture>> {
+        self.reflectance().and_then(|reflectance| reflectance.texture())
     }
 
     /// What it shines of itself, if it can.

@@ -18,6 +18,7 @@ mod sampler;
 pub mod schema;
 pub mod spectral;
 mod stop;
+mod texture;
 mod values;
 mod vocabulary;
 mod whole;
@@ -37,9 +38,10 @@ pub use object::{Disk, KaMeans, Mesh, Object, Plane, Quad, Sphere, Triangle};
 pub use paths::{Only, Paths};
 pub use sampler::{Independent, Sampler, Sobol, Stratified};
 pub use stop::Stop;
+pub use texture::{Checker, Texture, Textured};
 pub use values::{
     Angle, Coefficient, Count, Depth, Direction, Exposure, FileName, Flux, Index, Intensity,
-    Irradiance, Length, LightCount, Number, Place, Point, Radiance, Ref, Reflectance, Size, Step,
-    Switch, Text, Time,
+    Irradiance, Length, LightCount, Number, Pair, Place, Point, Radiance, Ref, Reflectance, Size,
+    Step, Switch, Text, Time,
 };
 pub use whole::{Items, KINDS, KindOf, Named, Scene};

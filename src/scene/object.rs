@@ -45,6 +45,10 @@ vocabulary! {
             normal: Direction;
             /// What its surface does with light.
             material: Ref<Material>;
+            /// The side of the square that is 1 of u and 1 of v for textures, whose origin is
+            /// `point`. There u goes along x as far as the plane does, and -z or z where it is
+            /// square to x; v is upward, or away on a floor.
+            tile: Length = "1 m", Range::above(0.0);
             /// Where it is moved to, step by step.
             place: Place = "[]";
         }

@@ -24,10 +24,21 @@ pub enum Type {
     Direction,
     /// A pair of whole numbers.
     Size,
+    /// A pair of plain numbers, or one for both.
+    Pair,
     /// A step of a `place`: `scale(…)`, `rotate(…)`, `move(…)`.
     Step,
     /// A number, a colour or a spectrum of a quantity.
     Spectrum(Spectral),
+    /// The same, or the name of a texture, or a texture.
+    Textured {
+        /// What it is of.
+        of: Spectral,
+        /// The word of the kind that textures are.
+        kind: &'static str,
+        /// The type of these.
+        target: &'static Type,
+    },
     /// An index of refraction, real or complex.
     Index,
     /// One of some words.
@@ -211,9 +222,11 @@ pub enum Checked {
     Vector(glam::DVec3),
     /// Of `Size`.
     Size([u64; 2]),
+    /// Of `Pair`.
+    Pair([f64; 2]),
     /// Of `Step`.
     Step(super::Step),
-    /// Of `Spectrum`, in base units.
+    /// Of `Spectrum` and `Textured`, in base units.
     Spectrum(Spectrum),
     /// Of `Index`: n, and k of n + ik.
     Index(Spectrum, Spectrum),
@@ -229,7 +242,7 @@ pub enum Checked {
     List(Vec<At<Checked>>),
     /// Of `Map`, in the order of the names.
     Map(Vec<(At<String>, At<Checked>)>),
-    /// Of `Reference`: the name of a declaration that exists.
+    /// Of `Reference` and `Textured`: the name of a declaration that exists.
     Reference(String),
     /// An optional field that was left out.
     Absent,

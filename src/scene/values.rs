@@ -110,6 +110,8 @@ plain! {
     Direction(DVec3): Direction from Vector;
     /// Columns and rows.
     Size([u64; 2]): Size from Size;
+    /// Two plain numbers: for u and for v.
+    Pair([f64; 2]): Pair from Pair;
 }
 
 /// Declares whole numbers that may also be a word.

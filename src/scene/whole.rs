@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use super::schema::{Checked, Kind, Vocabulary};
 use super::{
-    At, Camera, Film, Integrator, Layer, Light, Material, Medium, Object, Only, Sampler, Stop, Text,
+    At, Camera, Film, Integrator, Layer, Light, Material, Medium, Object, Only, Sampler, Stop,
+    Text, Texture,
 };
 use crate::math::paths::{Expression, Which};
 
@@ -115,6 +116,8 @@ kinds! {
         "medium" => media: Medium;
         /// A surface, or many.
         "object" => objects: Object;
+        /// A colour that differs from place to place of a surface.
+        "texture" => textures: Texture;
     }
 }
 

@@ -119,6 +119,7 @@ impl Hand {
                 materials: Vec::new(),
                 media: Vec::new(),
                 objects: Vec::new(),
+                textures: Vec::new(),
             },
             meshes: Vec::new(),
             settings: prepare::Settings::default(),
@@ -290,6 +291,7 @@ impl Hand {
             point: at(scene::Point(point)),
             normal: at(scene::Direction(normal.normalize())),
             material: at(scene::Ref::new(material)),
+            tile: at(scene::Length(1.0)),
             place: at(Place::default()),
         }))
     }
@@ -337,6 +339,7 @@ impl Hand {
         Stage {
             scene: Arc::new(self.scene.clone()),
             meshes: self.meshes.clone(),
+            textures: Vec::new(),
             files: Vec::new(),
             hash: SceneHash([0; 32]),
             light_hash: SceneHash([0; 32]),
@@ -388,7 +391,7 @@ pub fn render(prepared: &Prepared, seed: u64, samples: u64, watch: &dyn Watch) -
 
 fn diffuse(name: &str, albedo: Spectrum, emission: f64) -> Named<scene::Material> {
     let material = scene::Material::Diffuse(scene::Diffuse {
-        albedo: at(scene::Reflectance(albedo)),
+        albedo: at(scene::Textured::Plain(scene::Reflectance(albedo))),
         emission: at(scene::Radiance(Spectrum::Constant(emission))),
         emits: at(scene::Sides::Front),
     });

@@ -117,7 +117,9 @@ fn form(ty: Type) -> String {
         Type::Point => ("point".to_string(), NUMBERS.to_string()),
         Type::Direction => ("direction".to_string(), NUMBERS.to_string()),
         Type::Step => ("scale(…), rotate(…) or move(…)".to_string(), "#functions".to_string()),
-        Type::Spectrum(spectral) => (spectral.word().to_string(), anchor(spectral.word())),
+        Type::Spectrum(of) | Type::Textured { of, .. } => {
+            (of.word().to_string(), anchor(of.word()))
+        }
         Type::Index => ("index".to_string(), anchor(spectra::INDEX)),
         Type::OneOf(variants) => (variants.name.to_string(), anchor(variants.name)),
         Type::Reference { kind, .. } => (kind.to_string(), anchor(kind)),

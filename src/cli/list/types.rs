@@ -46,6 +46,10 @@ pub fn form(ty: Type) -> String {
             let unit = unit(spectral.dimension());
             format!("{}: number, colour or spectrum{unit}", spectral.word())
         }
+        Type::Textured { of, .. } => {
+            format!("{}, or the name of a texture, or a texture itself", form(Type::Spectrum(of)))
+        }
+        Type::Pair => "pair of numbers (u, v), or one for both".to_string(),
         Type::Index => "index of refraction: number, colour, spectrum or complex".to_string(),
         Type::Words(words) => {
             let all: Vec<_> = words.all.iter().map(|(word, _)| *word).collect();
@@ -84,7 +88,7 @@ pub fn range(field: &Field) -> Option<String> {
         if angle && x != 0.0 { format!("{} deg", x.to_degrees()) } else { x.to_string() }
     };
     let Range { low, high, .. } = match field.ty {
-        Type::Spectrum(spectral) if field.range == Range::ANY => spectral.range(),
+        Type::Spectrum(of) | Type::Textured { of, .. } if field.range == Range::ANY => of.range(),
         _ => field.range,
     };
     if let (Bound::Inclusive(low), Bound::Inclusive(high)) = (low, high) {

@@ -4,6 +4,7 @@ mod choices;
 mod paths;
 mod quantities;
 mod spectral;
+mod textured;
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
@@ -18,8 +19,8 @@ use crate::diag::{FileId, Span};
 use crate::math::units::Dimension;
 use crate::scene::schema::{self, Checked, Range, Type, Variants};
 use crate::scene::{At, FileName};
-use quantities::count;
 pub use quantities::{coordinates, direction, in_range, number, point};
+use quantities::{count, pair};
 pub use spectral::complex;
 
 /// The declarations of a render before they are checked: kind and name → value.
@@ -163,7 +164,18 @@ impl<'a> Checker<'a> {
                     None
                 }
             },
-            Type::Spectrum(spectral) => spectral::spectrum(ev, value, *spectral, range, &what),
+            Type::Pair => Some(Checked::Pair(pair(ev, value, range, &what)?)),
+            Type::Spectrum(spectral) => match self.named_elsewhere(value) {
+                Some(found) => {
+                    let expected = spectral::expected(*spectral);
+                    ev.reports.tell(types::mismatch(&what, &expected, &found, span));
+                    None
+                }
+                None => spectral::spectrum(ev, value, *spectral, range, &what),
+            },
+            Type::Textured { of, kind, target } => {
+                self.textured(value, (*of, range), kind, target, place)
+            }
             Type::Index => spectral::index(ev, value, range, &what),
             Type::Words(words) => match &value.kind {
                 ValueKind::Word(word) => {
@@ -371,7 +383,8 @@ impl<'a> Checker<'a> {
     fn example(&self, ty: &Type, range: &Range) -> String {
         match ty {
             Type::Number(dimension) => types::example(*dimension, range),
-            Type::Spectrum(spectral) => types::example(spectral.dimension(), range),
+            Type::Spectrum(of) | Type::Textured { of, .. } => types::example(of.dimension(), range),
+            Type::Pair => "(1, 1)".into(),
             Type::Index => "1.5".into(),
             Type::Count | Type::CountOr(_) => "1".into(),
             Type::Switch => "on".into(),

@@ -50,6 +50,27 @@ pub fn count(ev: &Evaluator, value: &Value, what: &str) -> Option<f64> {
     Some(n)
 }
 
+/// Two plain numbers, or one for both.
+pub fn pair(ev: &Evaluator, value: &Value, range: &Range, what: &str) -> Option<[f64; 2]> {
+    let one = |value: &Value| {
+        let x = number(ev, value, Dimension::NONE, what)?;
+        in_range(ev, value, x, range, Dimension::NONE, what)?;
+        Some(x)
+    };
+    match &value.kind {
+        ValueKind::Vector { components, .. } if components.len() == 2 => {
+            Some([one(&components[0])?, one(&components[1])?])
+        }
+        ValueKind::Number { .. } => one(value).map(|x| [x, x]),
+        ValueKind::Broken => None,
+        _ => {
+            let expected = "a pair of numbers such as `(2, 1)`, or one for both";
+            ev.reports.tell(types::mismatch(what, expected, &value.described(), value.span));
+            None
+        }
+    }
+}
+
 /// Tells a number beyond the bounds of its field.
 pub fn in_range(
     ev: &Evaluator,

@@ -12,6 +12,12 @@ use crate::optics::{self, colour};
 use crate::scene::schema::{Checked, Range};
 use crate::scene::spectral::Spectral;
 
+/// What is expected of a quantity.
+pub fn expected(spectral: Spectral) -> String {
+    let article = crate::lang::errors::with_article(spectral.word());
+    format!("{article}: a number, a colour or a spectrum")
+}
+
 /// A number, a colour or a spectrum of a quantity.
 pub fn spectrum(
     ev: &Evaluator,
@@ -28,10 +34,8 @@ pub fn spectrum(
         | ValueKind::Colour(_, dimension)
         | ValueKind::Spectrum(_, dimension) => *dimension,
         _ => {
-            let article = crate::lang::errors::with_article(spectral.word());
-            let expected = format!("{article}: a number, a colour or a spectrum");
             let found = quantity.described();
-            ev.reports.tell(types::mismatch(what, &expected, &found, value.span));
+            ev.reports.tell(types::mismatch(what, &expected(spectral), &found, value.span));
             return None;
         }
     };

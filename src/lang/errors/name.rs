@@ -277,6 +277,17 @@ pub fn unknown_word(what: &str, found: &str, all: &[&str], span: Span) -> Diagno
     offer(told, found, span, all, "its words are")
 }
 
+/// A word that is neither a value nor the name of a declaration of a kind, where both may stand.
+pub fn no_value_nor(kind: &str, found: &str, span: Span, declared: &[&str]) -> Diagnostic {
+    if nearest(found, declared.iter().copied()).is_empty() {
+        return unknown_value(found, span, &[]);
+    }
+    let headline = format!("nothing is called `{found}` here");
+    let told = Diagnostic::error(Code::NAME_UNKNOWN_NAME, headline)
+        .label(span, format!("no {kind} and no value has this name"));
+    offer(told, found, span, declared, &format!("the {kind}s declared are"))
+}
+
 /// A declaration that does not exist in a render.
 pub fn unknown_declaration(
     place: &str,

@@ -7,8 +7,7 @@ use crate::math::Spectrum;
 use crate::optics::colour;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
-    for material in &shot.stage.scene.materials {
-        let Some(albedo) = material.value.reflectance() else { continue };
+    for (_, albedo) in shot.reflectances() {
         let (most, label) = match &albedo.0 {
             Spectrum::Table(table) => {
                 let nodes = table.nodes().iter();

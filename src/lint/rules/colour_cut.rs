@@ -8,11 +8,10 @@ use crate::optics::colour;
 const UNSEEN: f64 = 0.02;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
-    for material in &shot.stage.scene.materials {
-        let Some(albedo) = material.value.reflectance() else { continue };
+    for (name, albedo) in shot.reflectances() {
         let moved = colour::cut(&albedo.0);
         if moved > UNSEEN {
-            found.push(cut(&material.name.value, moved, colour::reflected(&albedo.0), albedo.span));
+            found.push(cut(name, moved, colour::reflected(&albedo.0), albedo.span));
         }
     }
 }

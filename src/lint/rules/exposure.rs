@@ -10,6 +10,7 @@ use crate::lint::placed::Thing;
 use crate::math::Bounds;
 use crate::optics::colour;
 use crate::plan::daylight::Daylight;
+use crate::plan::largest;
 use crate::scene::{Light, Named, PointLight, SpotLight};
 
 /// A surface that a light falls on straight may be so many times as bright as white: it is the
@@ -32,7 +33,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let materials = || shot.things.iter().flat_map(|thing| &thing.materials);
     let scattering = materials().filter(|material| material.value.scatters());
     let albedo = scattering.filter_map(|material| material.value.reflectance());
-    let albedo = albedo.map(|albedo| most(colour::reflected(&albedo.0))).fold(0.0, f64::max);
+    let albedo = albedo.map(|albedo| most(largest(shot.stage, albedo))).fold(0.0, f64::max);
     let lamps = materials().filter_map(|material| material.value.emission());
     let lamps = lamps.map(|emission| most(colour::emitted(&emission.0)));
     // A lamp gives no surface more than if it filled all that the surface faces.

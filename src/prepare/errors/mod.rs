@@ -2,3 +2,4 @@
 
 pub(super) mod paths;
 pub(super) mod scene;
+pub(super) mod texture;

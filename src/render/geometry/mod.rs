@@ -9,6 +9,7 @@ mod ask;
 mod best;
 mod block;
 mod build;
+mod coordinates;
 mod disk;
 mod exact;
 mod lanes;
@@ -73,12 +74,13 @@ pub struct Geometry {
 
 impl Geometry {
     /// Never fails: a shape without area is never met, and does no harm.
-    pub fn build(shapes: Shapes) -> Self {
+    pub fn build(mut shapes: Shapes) -> Self {
+        shapes.coordinates.sort();
         let (tree, bounds) = (Tree::build(&shapes), shapes.bounds());
         Self { tree, bounds, shapes, coordinates: true }
     }
 
-    /// The same, with `Hit::uv` or with zero in its place.
+    /// The same, with `Hit::uv` or with zero in its place, weights of corners in a triangle's.
     pub fn with_coordinates(self, coordinates: bool) -> Self {
         Self { coordinates, ..self }
     }
@@ -138,6 +140,10 @@ impl Geometry {
             (self.other_surface(probe, primitive), t, self.shapes.owner(primitive))
         };
         let ray::Surface { point, ns, uv } = surface;
+        let uv = match self.coordinates {
+            true => self.shapes.coordinates.at(primitive, point.position, uv),
+            false => uv.as_dvec2(),
+        };
         Hit {
             t,
             position: point.position,
@@ -155,7 +161,7 @@ impl Geometry {
         let index = primitive.index();
         match primitive.kind() {
             Kind::Triangle => triangle::surface(probe, &self.shapes, index).0,
-            Kind::Sphere => sphere::surface(probe, &self.shapes.spheres[index], self.coordinates),
+            Kind::Sphere => sphere::surface(probe, &self.shapes.spheres[index]),
             Kind::Disk => disk::surface(probe, &self.shapes.disks[index]),
             Kind::Plane => plane::surface(probe, &self.shapes.planes[index]),
         }

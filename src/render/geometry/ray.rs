@@ -1,6 +1,6 @@
 //! Rays, the points where they begin and end, and what is known where they meet a surface.
 
-use glam::{DVec3, Vec2, Vec3, Vec3A};
+use glam::{DVec2, DVec3, Vec2, Vec3, Vec3A};
 
 use super::rounding::{gamma_32, up};
 use super::shapes::Primitive;
@@ -71,9 +71,9 @@ pub struct Hit {
     pub ng: Vec3,
     /// Shading normal, unit length, on the same side as `ng`.
     pub ns: Vec3,
-    /// Triangle: weights of its second and third corner. Sphere: longitude over 2π and colatitude
-    /// over π, about +z; zero in a geometry without coordinates. Disk and plane: zero.
-    pub uv: Vec2,
+    /// Coordinates on its surface, by which textures are laid on. Of a triangle without any, the
+    /// weights of its second and third corner; of other shapes without a chart, zero.
+    pub uv: DVec2,
     /// What was met.
     pub primitive: Primitive,
     /// Number of the object it belongs to.
@@ -182,5 +182,6 @@ impl Probe {
 pub(super) struct Surface {
     pub point: Point,
     pub ns: Vec3,
+    /// Of a triangle, the weights of its second and third corner; else zero.
     pub uv: Vec2,
 }

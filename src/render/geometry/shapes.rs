@@ -1,8 +1,9 @@
 //! The shapes themselves, in plain arrays: what prepare pushes and the tree is built over.
 
-use glam::{DVec3, Vec3};
+use glam::{DAffine3, DVec3, Vec2, Vec3};
 
 use super::Bounds;
+use super::coordinates::Coordinates;
 use super::{disk, sphere, triangle};
 
 /// Whose a shape is: numbers that prepare gave out and hits carry back.
@@ -121,6 +122,7 @@ pub struct Shapes {
     pub(super) spheres: Vec<Sphere>,
     pub(super) disks: Vec<Disk>,
     pub(super) planes: Vec<Plane>,
+    pub(super) coordinates: Coordinates,
 }
 
 impl Shapes {
@@ -198,6 +200,22 @@ impl Shapes {
         Primitive::new(Kind::Plane, self.planes.len() - 1)
     }
 
+    /// Adds texture coordinates of a corner, and gives their index.
+    pub fn coordinate(&mut self, uv: Vec2) -> u32 {
+        self.coordinates.corner(uv)
+    }
+
+    /// Gives a triangle the texture coordinates of its corners, by index.
+    pub fn lay(&mut self, triangle: Primitive, corners: [u32; 3]) {
+        self.coordinates.lay(triangle, corners);
+    }
+
+    /// Gives a sphere, disk or plane its chart: the map from world space to the unit sphere with
+    /// its poles on y and the middle of textures at z, or to texture coordinates as x and y.
+    pub fn chart(&mut self, primitive: Primitive, chart: DAffine3) {
+        self.coordinates.chart(primitive, chart);
+    }
+
     /// Corner positions of a triangle.
     #[inline]
     pub(super) fn corners(&self, triangle: usize) -> [Vec3; 3] {
@@ -267,5 +285,6 @@ impl Shapes {
             + of(&self.spheres)
             + of(&self.disks)
             + of(&self.planes)
+            + self.coordinates.bytes()
     }
 }

@@ -1,6 +1,6 @@
 //! Spheres, from outside and inside, near and far.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use glam::{DVec3, Vec2};
 
@@ -47,21 +47,13 @@ pub(super) fn point(sphere: &Sphere, normal: DVec3) -> Point {
     Point { position, error, ng: normal.as_vec3() }
 }
 
-/// The place where the ray meets it. Its coordinates take longer than all the rest.
-pub(super) fn surface(probe: &Probe, sphere: &Sphere, coordinates: bool) -> Surface {
+/// The place where the ray meets it.
+pub(super) fn surface(probe: &Probe, sphere: &Sphere) -> Surface {
     let t = root(probe, sphere).unwrap_or(0.0);
     let local = probe.origin() + t * probe.direction() - sphere.centre.as_dvec3();
     let normal = local.normalize_or(DVec3::Z);
     let point = point(sphere, normal);
-    let uv = if coordinates { uv(normal) } else { Vec2::ZERO };
-    Surface { point, ns: point.ng, uv }
-}
-
-/// Longitude from +x towards +y, and angle from +z, each from 0 to 1.
-fn uv(normal: DVec3) -> Vec2 {
-    let longitude = normal.y.atan2(normal.x).rem_euclid(TAU) / TAU;
-    let colatitude = normal.z.clamp(-1.0, 1.0).acos() / PI;
-    Vec2::new(longitude as f32, colatitude as f32)
+    Surface { point, ns: point.ng, uv: Vec2::ZERO }
 }
 
 /// The box around it.

@@ -19,7 +19,7 @@ impl Preview {
         let material = &world.materials[hit.material as usize];
         // One unit of radiance in the scene's own units, whatever the unit of light within.
         let headlight = (1.0 / world.light_unit) as f32;
-        let shaded = material.colour() * (headlight * hit.ns.dot(ray.direction).abs());
+        let shaded = material.colour(&hit) * (headlight * hit.ns.dot(ray.direction).abs());
         carrier.object = Some(hit.object);
         // No light is followed, and so it came by no path.
         carrier.radiance = shaded + material.emission(&hit, -ray.direction);

@@ -2,17 +2,18 @@
 
 use std::f32::consts::FRAC_1_PI;
 
-use glam::{Vec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 
 use super::{Event, Facing, Scattered};
 use crate::math::{Rgb, random, warp};
 use crate::render::geometry::Hit;
+use crate::render::textures::Colour;
 
 /// A diffuse surface, which may be a lamp.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Diffuse {
     /// The part of the light that is scattered back, on either side.
-    pub albedo: Rgb,
+    pub albedo: Colour,
     /// Radiance that it shines of itself, in light units.
     pub emission: Rgb,
     /// Whether its back shines as well as its front.
@@ -26,8 +27,8 @@ impl Diffuse {
     }
 
     /// The surface at a hit.
-    pub(super) fn at(&self, facing: Facing) -> Lambert {
-        Lambert { albedo: self.albedo, ng: facing.ng, ns: facing.ns }
+    pub(super) fn at(&self, uv: DVec2, facing: Facing) -> Lambert {
+        Lambert { albedo: self.albedo.at(uv), ng: facing.ng, ns: facing.ns }
     }
 }
 
@@ -95,7 +96,8 @@ mod tests {
 
     #[test]
     fn light_is_weighed_at_the_shading_normal_and_hidden_by_the_surface_itself() {
-        let diffuse = Diffuse { albedo: Rgb::grey(0.5), emission: Rgb::BLACK, both: false };
+        let albedo = Colour::Plain(Rgb::grey(0.5));
+        let diffuse = Diffuse { albedo, emission: Rgb::BLACK, both: false };
         let hit = tilted();
         let cases = [
             // Above both.
@@ -107,12 +109,12 @@ mod tests {
             (Vec3::new(0.96, 0.0, -0.28), 0.352, false),
         ];
         for (wi, cos, faces) in cases {
-            let above = diffuse.at(Facing::new(&hit, Vec3::Z));
+            let above = diffuse.at(hit.uv, Facing::new(&hit, Vec3::Z));
             let scattered = above.scattered(wi).g;
             assert!((scattered - 0.5 * FRAC_1_PI * cos).abs() < 1e-6, "{wi}: {scattered}");
             assert_eq!(above.faces(wi), faces);
             // From behind everything is as if the surface were turned round.
-            let behind = diffuse.at(Facing::new(&hit, Vec3::NEG_Z));
+            let behind = diffuse.at(hit.uv, Facing::new(&hit, Vec3::NEG_Z));
             assert_eq!((behind.scattered(-wi).g, behind.faces(-wi)), (scattered, faces));
         }
     }

@@ -1,18 +1,21 @@
 //! A perfect mirror.
 
+use glam::DVec2;
+
 use super::{Event, Facing, Scattered};
 use crate::math::Rgb;
+use crate::render::textures::Colour;
 
 /// A surface that gives light back in one direction.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Mirror {
     /// The part of the light that is given back, on either side.
-    pub reflectance: Rgb,
+    pub reflectance: Colour,
 }
 
 impl Mirror {
-    pub(super) fn at(&self, facing: Facing) -> Reflector {
-        Reflector { reflectance: self.reflectance, facing }
+    pub(super) fn at(&self, uv: DVec2, facing: Facing) -> Reflector {
+        Reflector { reflectance: self.reflectance.at(uv), facing }
     }
 }
 

@@ -22,7 +22,7 @@ use crate::math::Rgb;
 use crate::math::paths::Event;
 
 /// A surface's material.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Material {
     /// Smooth metal.
     Conductor(Conductor),
@@ -43,13 +43,13 @@ impl Material {
         }
     }
 
-    /// The colour of the surface, for a picture that shows what is where.
-    pub fn colour(&self) -> Rgb {
+    /// The colour of the surface at a hit, for a picture that shows what is where.
+    pub fn colour(&self, hit: &Hit) -> Rgb {
         match self {
             Self::Conductor(conductor) => conductor.colour(),
             Self::Dielectric(_) => Rgb::grey(0.8),
-            Self::Diffuse(diffuse) => diffuse.albedo,
-            Self::Mirror(mirror) => mirror.reflectance,
+            Self::Diffuse(diffuse) => diffuse.albedo.at(hit.uv),
+            Self::Mirror(mirror) => mirror.reflectance.at(hit.uv),
         }
     }
 
@@ -59,8 +59,8 @@ impl Material {
         match self {
             Self::Conductor(conductor) => Bsdf::Metal(conductor.at(facing)),
             Self::Dielectric(dielectric) => Bsdf::Interface(dielectric.at(facing)),
-            Self::Diffuse(diffuse) => Bsdf::Lambert(diffuse.at(facing)),
-            Self::Mirror(mirror) => Bsdf::Reflector(mirror.at(facing)),
+            Self::Diffuse(diffuse) => Bsdf::Lambert(diffuse.at(hit.uv, facing)),
+            Self::Mirror(mirror) => Bsdf::Reflector(mirror.at(hit.uv, facing)),
         }
     }
 }

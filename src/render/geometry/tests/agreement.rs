@@ -145,7 +145,7 @@ fn meetings_are_where_the_textbook_has_them() {
         assert!((hit.ng.as_dvec3() - normal).length() < 1e-6);
         let off = (hit.position.as_dvec3() - corners[0]).dot(normal).abs();
         assert!(off <= hit.error.as_dvec3().dot(normal.abs()), "{off} beyond {}", hit.error);
-        let [u, v] = hit.uv.as_dvec2().to_array();
+        let [u, v] = hit.uv.to_array();
         let again = corners[0] * (1.0 - u - v) + corners[1] * u + corners[2] * v;
         assert!((hit.position.as_dvec3() - again).length() < 1e-6);
         assert_eq!((hit.object, hit.material), (7, 3));

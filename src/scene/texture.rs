@@ -1,0 +1,82 @@
+//! Textures: colours that differ from place to place of a surface.
+
+use serde::Serialize;
+
+use super::schema::{Checked, Range, Type, Vocabulary};
+use super::vocabulary::vocabulary;
+use super::{Angle, At, Pair, Ref, Reflectance};
+
+vocabulary! {
+    /// A colour that differs from place to place of a surface. It is laid on by the coordinates u
+    /// and v of the surface: of a quad from 0 to 1 along each edge, of a sphere from 0 to 1 around
+    /// it and from its lower pole to the upper, of a plane in `tile`s, of a disk from 0 to 1 over
+    /// the square around it, of a mesh as its file has them.
+    pub enum Texture: "texture" {
+        /// Squares of two colours in turn.
+        "checker" => Checker {
+            /// The colour of the square above and right of the origin of the coordinates.
+            a: Reflectance;
+            /// The colour of its neighbours.
+            b: Reflectance;
+            /// How many squares there are in 1 of u, and of v.
+            squares: Pair = "(1, 1)", Range::above(0.0);
+            /// How far it is moved along u and v, after it was turned.
+            offset: Pair = "(0, 0)";
+            /// How far it is turned about the origin of the coordinates, from u to v.
+            turn: Angle = "0 deg";
+        }
+    }
+}
+
+/// A quantity that is the same all over a surface, or differs by a texture.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Textured<T> {
+    /// The same everywhere.
+    Plain(T),
+    /// As the texture says.
+    Texture(Ref<Texture>),
+}
+
+impl<T> Textured<T> {
+    /// The value, if it is the same everywhere.
+    pub fn plain(&self) -> Option<&T> {
+        match self {
+            Self::Plain(value) => Some(value),
+            Self::Texture(_) => None,
+        }
+    }
+
+    /// The texture, if there is one.
+    pub fn texture(&self) -> Option<&Ref<Texture>> {
+        match self {
+            Self::Plain(_) => None,
+            Self::Texture(texture) => Some(texture),
+        }
+    }
+}
+
+impl<T: Vocabulary> Vocabulary for Textured<T> {
+    const TYPE: Type = match (T::TYPE, <Ref<Texture> as Vocabulary>::TYPE) {
+        (Type::Spectrum(of), Type::Reference { kind, target }) => {
+            Type::Textured { of, kind, target }
+        }
+        _ => panic!("textures are of spectra"),
+    };
+
+    fn lower(checked: &Checked) -> Self {
+        match checked {
+            Checked::Reference(_) => Self::Texture(Ref::lower(checked)),
+            plain => Self::Plain(T::lower(plain)),
+        }
+    }
+}
+
+impl Texture {
+    /// The colours that it says.
+    pub fn colours(&self) -> Vec<&At<Reflectance>> {
+        match self {
+            Self::Checker(checker) => vec![&checker.a, &checker.b],
+        }
+    }
+}
