@@ -86,6 +86,7 @@ codes! {
     LINT_EXPOSURE = "lint/exposure";
     LINT_HIDDEN_BY_PLANE = "lint/hidden-by-plane";
     LINT_IGNORED_FIELD = "lint/ignored-field";
+    LINT_IMPOSSIBLE_PATH = "lint/impossible-path";
     LINT_INWARD_LAMP = "lint/inward-lamp";
     LINT_LAMP_FACES_AWAY = "lint/lamp-faces-away";
     LINT_LARGE_ERROR = "lint/large-error";
@@ -98,6 +99,7 @@ codes! {
     LINT_SAME_CAPTION = "lint/same-caption";
     LINT_SAME_PICTURE = "lint/same-picture";
     LINT_SCALE_AFTER_MOVE = "lint/scale-after-move";
+    LINT_SHALLOW_DEPTH = "lint/shallow-depth";
     LINT_SUSPICIOUS_UNIT = "lint/suspicious-unit";
     LINT_TWIN_LIGHTS = "lint/twin-lights";
     LINT_UNFINISHED_ROUND = "lint/unfinished-round";

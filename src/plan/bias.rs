@@ -23,6 +23,8 @@ pub enum Kind {
     LightsOff,
     /// Lights without extent are left to chance, which never meets them.
     NeverMet,
+    /// Light that mirrors or glass send from lights without extent to surfaces is never found.
+    Caustics,
     /// Surfaces far away hide nothing of what surrounds the scene.
     AmbientDistance,
     /// Surfaces hide no light.
@@ -45,6 +47,7 @@ impl Kind {
             Self::ConstantLight => "constant_light",
             Self::LightsOff => "lights_off",
             Self::NeverMet => "never_met",
+            Self::Caustics => "caustics",
             Self::AmbientDistance => "ambient_distance",
             Self::NoShadows => "no_shadows",
             Self::LampCentres => "lamp_centres",
@@ -89,6 +92,7 @@ pub fn biases(stage: &Stage) -> Vec<Bias> {
     all.extend(constant_lights(&survey, integrator));
     all.extend(lights_off(&survey, integrator));
     all.extend(never_met(&survey, integrator));
+    all.extend(caustics(&survey, integrator));
     all.extend(near_ambient(&survey, integrator));
     all.extend(no_shadows(&survey, integrator));
     all.extend(lamp_centres(&survey, integrator));
@@ -262,6 +266,30 @@ fn never_met(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
         brief: "lights without extent are never met".to_string(),
         bound: None,
         instead_write: "write `next_event: on`",
+        instead: None,
+    })
+}
+
+/// None if every light has an extent, or nothing sends light on in one direction alone. Where
+/// lights are not asked, all of their light is missing, and that is told.
+fn caustics(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
+    let Integrator::Path(path) = &integrator.value else { return None };
+    let light = survey.sharp.first().filter(|_| path.next_event.0)?;
+    let (mirror, lit) = (survey.specular()?, survey.brightest()?);
+    let (light, mirror) = (&*light.name, &*mirror.material.name);
+    Some(Bias {
+        kind: Kind::Caustics,
+        setting: format!("`light {light}` and `{mirror}` under `path`"),
+        at: integrator.span,
+        effect: format!(
+            "light of `{light}`, which has no extent, that `{mirror}` sends to surfaces such as \
+             `{}` is never found",
+            *lit.object.name
+        ),
+        brief: format!("caustics of `{light}` are missing"),
+        bound: None,
+        instead_write: "give the light an extent: a lamp in its place, that is a surface with an \
+                        `emission`",
         instead: None,
     })
 }

@@ -13,8 +13,8 @@ use crate::math::Spectrum;
 vocabulary! {
     /// Light that comes from no surface. Lamps with a surface are objects with an emission.
     pub enum Light: "light" {
-        /// The same radiance from everywhere around the scene. With the integrator `direct` it is
-        /// seen behind the scene, and lights nothing.
+        /// The same radiance from everywhere around the scene. Under plain `direct` it is seen
+        /// behind the scene, and lights nothing; `environment: on` makes it shine.
         "constant" => Constant {
             /// What is seen of it.
             radiance: Radiance;

@@ -3,18 +3,48 @@
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::placed::Thing;
 use crate::lint::{Shot, everywhere};
-use crate::scene::Integrator;
+use crate::scene::{Integrator, Roulette};
+
+const DIRECT: &str = "It speaks of lights that surfaces ask; `direct: off` asks none.";
+const LAMPS: &str =
+    "It chooses points of lamps, which are objects with an emission; here are none.";
+const MIRRORS: &str = "It speaks of rays that go on by mirrors, glass and metal; here are none.";
+const NEXT_EVENT: &str = "It speaks of lights that are asked; `next_event: off` asks none.";
+const ROULETTE: &str = "It speaks of paths that are ended by chance; `roulette: off` ends none.";
 
 pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
     found.extend(everywhere(shots, |shot| {
         let scene = &shot.stage.scene;
         let mut places = Vec::new();
-        if let Integrator::Direct(direct) = &scene.integrator.value {
-            let lamps = shot.things.iter().any(Thing::shines);
-            let field = direct.area_lights.span;
-            let why =
-                "It chooses points of lamps, which are objects with an emission; here are none.";
-            places.push((field, scene.integrator.span, lamps, "area_lights", why));
+        let integrator = &scene.integrator;
+        let materials = || shot.things.iter().flat_map(|thing| &thing.materials);
+        let lamps = shot.things.iter().any(Thing::shines);
+        let mirrors = materials().any(|material| !material.value.scatters());
+        let mut said = |field: Span, used: bool, name: &'static str, why: &'static str| {
+            places.push((field, integrator.span, used, name, why));
+        };
+        match &integrator.value {
+            Integrator::Ambient(ambient) => {
+                said(ambient.specular_depth.span, mirrors, "specular_depth", MIRRORS);
+                said(ambient.roulette.span, mirrors, "roulette", MIRRORS);
+                let direct = ambient.direct.0;
+                said(ambient.lights.span, direct, "lights", DIRECT);
+                said(ambient.light_samples.span, direct, "light_samples", DIRECT);
+            }
+            Integrator::Direct(direct) => {
+                said(direct.area_lights.span, lamps, "area_lights", LAMPS);
+                said(direct.specular_depth.span, mirrors, "specular_depth", MIRRORS);
+                said(direct.roulette.span, mirrors, "roulette", MIRRORS);
+            }
+            Integrator::Path(path) => {
+                let asks = path.next_event.0;
+                said(path.mis.span, asks, "mis", NEXT_EVENT);
+                said(path.lights.span, asks, "lights", NEXT_EVENT);
+                said(path.light_samples.span, asks, "light_samples", NEXT_EVENT);
+                let ends = path.roulette.value != Roulette::Off;
+                said(path.roulette_after.span, ends, "roulette_after", ROULETTE);
+            }
+            Integrator::Preview(_) => {}
         }
         let stop = &scene.stop;
         let field = stop.adaptive.span;

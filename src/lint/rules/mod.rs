@@ -11,6 +11,7 @@ mod enclosed;
 mod exposure;
 mod hidden_by_plane;
 mod ignored_field;
+mod impossible_path;
 mod inward_lamp;
 mod lamp_faces_away;
 mod large_error;
@@ -23,6 +24,7 @@ mod noisy_filter;
 mod same_caption;
 mod same_picture;
 mod scale_after_move;
+mod shallow_depth;
 mod suspicious_unit;
 mod twin_lights;
 mod unfinished_round;
@@ -50,6 +52,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_EXPOSURE, look: Look::Render(exposure::look) },
     Rule { code: Code::LINT_HIDDEN_BY_PLANE, look: Look::Render(hidden_by_plane::look) },
     Rule { code: Code::LINT_IGNORED_FIELD, look: Look::Renders(ignored_field::look) },
+    Rule { code: Code::LINT_IMPOSSIBLE_PATH, look: Look::Render(impossible_path::look) },
     Rule { code: Code::LINT_INWARD_LAMP, look: Look::Render(inward_lamp::look) },
     Rule { code: Code::LINT_LAMP_FACES_AWAY, look: Look::Render(lamp_faces_away::look) },
     Rule { code: Code::LINT_LARGE_ERROR, look: Look::Render(large_error::look) },
@@ -62,6 +65,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_SAME_CAPTION, look: Look::Renders(same_caption::look) },
     Rule { code: Code::LINT_SAME_PICTURE, look: Look::Renders(same_picture::look) },
     Rule { code: Code::LINT_SCALE_AFTER_MOVE, look: Look::Render(scale_after_move::look) },
+    Rule { code: Code::LINT_SHALLOW_DEPTH, look: Look::Render(shallow_depth::look) },
     Rule { code: Code::LINT_SUSPICIOUS_UNIT, look: Look::Render(suspicious_unit::look) },
     Rule { code: Code::LINT_TWIN_LIGHTS, look: Look::Render(twin_lights::look) },
     Rule { code: Code::LINT_UNFINISHED_ROUND, look: Look::Render(unfinished_round::look) },

@@ -233,14 +233,14 @@ pub fn nothing_shines(integrator: Span) -> Diagnostic {
         Code::SCENE_NOTHING_SHINES,
         "nothing shines on the scene: all surfaces will be black",
     )
-    .label(
-        integrator,
-        "follows light from lamps, points, spots and directional lights, and there are none",
-    )
+    .label(integrator, "follows light to surfaces, and there is none to follow")
     .why(
-        "A `constant` light or a sky is seen behind the scene; `direct` follows it to surfaces only where its `environment` is on.",
+        "What surrounds the scene, a `constant` light or a sky, lights surfaces under `path`, \
+         `ambient`, and `direct { environment: on }`; under plain `direct` it is only seen.",
     )
-    .help("add a `light` of kind `directional`, or an object whose material has an `emission`")
+    .help(
+        "add a light or an object whose material has an `emission`, or let the surroundings shine",
+    )
 }
 
 /// A path that neither a depth nor a chance ends.
