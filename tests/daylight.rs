@@ -8,7 +8,7 @@ use glam::{DVec3, dvec3};
 use scn::math::{Rgb, Spectrum};
 use scn::measure::statistics::{Moments, agrees};
 use scn::optics::colour;
-use scn::optics::daylight::{position, sun};
+use scn::optics::daylight::{Air, Sky, bird_riordan, position, sun};
 use scn::plan::daylight::Daylight;
 use scn::scene::{
     self, Ambient, Depth, Integrator, NoSun, Path, Preetham, SunDirection, SunDisc, SunForm, Switch,
@@ -304,4 +304,46 @@ fn north_along_up_and_half_a_clock_are_refused() {
     let mut light = sky(2.4, 52.0, direction());
     light.zone = at(Some(scene::Time(3600.0)));
     assert_eq!(floor(direct(), DVec3::Y, light).codes(), ["scene/half-a-clock"]);
+}
+
+/// The numbers of docs/daylight.md.
+#[test]
+fn the_page_tells_what_the_models_give() {
+    let page = std::fs::read_to_string("docs/daylight.md").unwrap();
+    let mut light = sky(2.4, 52.0, direction());
+    light.latitude = at(scene::Angle(55.77_f64.to_radians()));
+    let day = Daylight::of(&light).unwrap();
+    let zenith = day.sun.zenith;
+    let klx = |rgb| colour::LUMENS_A_WATT / 1000.0 * colour::luminance(rgb);
+    let row = |name: &str, rgb: [f64; 3]| {
+        let [r, g, b] = rgb;
+        format!("| {name} | {r:.1} | {g:.1} | {b:.1} | {:.1} |", klx(rgb))
+    };
+    let air = Air::of_turbidity(2.4);
+    let journal = sun::radiance(&air, zenith).map(sun::irradiance_by_area);
+    let other = bird_riordan::Irradiance::new(&air, 0.2, 255.0, zenith);
+    let sky_alone = Sky::new(2.4, zenith).irradiance(zenith);
+    let level = day.sun_irradiance().map(|channel| channel * zenith.cos());
+    for told in [
+        row("Lₑ A / (4 r²), Lₑ behind the air", journal),
+        row("Preetham's table 2, over the disc", day.sun_irradiance()),
+        row("Bird and Riordan", other.direct_channels()),
+        format!("the sun\n{:.0}° high", 90.0 - zenith.to_degrees()),
+        format!("{:.1} klx of the sun and {:.1} klx of the sky", klx(level), klx(sky_alone)),
+        format!("ground {:.1} klx at that noon", klx(other.diffuse_channels())),
+        format!("{:.0} W/m²/sr, so", colour::luminance(day.level_irradiance()) / PI),
+    ] {
+        assert!(page.contains(&told), "docs/daylight.md lacks: {told}");
+    }
+}
+
+/// Rays that look around leave the sun to the lights that are asked.
+#[test]
+fn ambient_light_is_that_of_the_sky_without_its_sun() {
+    let bright = floor(ambient(16, false), DVec3::Y, sky(2.0, 45.0, disc(0.3)));
+    assert_near(&klx(&bright, 256), 25.1643, 0.01, "without the sun");
+    let both = floor(ambient(16, true), DVec3::Y, sky(2.0, 45.0, disc(0.3)));
+    let level = Daylight::of(&sky(2.0, 45.0, direction())).unwrap().level_irradiance();
+    let truth = colour::luminance(level) * colour::LUMENS_A_WATT / 1000.0;
+    assert_near(&klx(&both, 256), truth, 0.01, "with the sun");
 }

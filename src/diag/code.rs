@@ -100,7 +100,9 @@ codes! {
     LINT_SAME_PICTURE = "lint/same-picture";
     LINT_SCALE_AFTER_MOVE = "lint/scale-after-move";
     LINT_SHALLOW_DEPTH = "lint/shallow-depth";
+    LINT_SKY_ON_ITS_SIDE = "lint/sky-on-its-side";
     LINT_SUSPICIOUS_UNIT = "lint/suspicious-unit";
+    LINT_THIN_AIR = "lint/thin-air";
     LINT_TWIN_LIGHTS = "lint/twin-lights";
     LINT_UNFINISHED_ROUND = "lint/unfinished-round";
     LINT_UNREACHABLE_ERROR = "lint/unreachable-error";

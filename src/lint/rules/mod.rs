@@ -25,7 +25,9 @@ mod same_caption;
 mod same_picture;
 mod scale_after_move;
 mod shallow_depth;
+mod sky_on_its_side;
 mod suspicious_unit;
+mod thin_air;
 mod twin_lights;
 mod unfinished_round;
 mod unreachable_error;
@@ -66,7 +68,9 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_SAME_PICTURE, look: Look::Renders(same_picture::look) },
     Rule { code: Code::LINT_SCALE_AFTER_MOVE, look: Look::Render(scale_after_move::look) },
     Rule { code: Code::LINT_SHALLOW_DEPTH, look: Look::Render(shallow_depth::look) },
+    Rule { code: Code::LINT_SKY_ON_ITS_SIDE, look: Look::Render(sky_on_its_side::look) },
     Rule { code: Code::LINT_SUSPICIOUS_UNIT, look: Look::Render(suspicious_unit::look) },
+    Rule { code: Code::LINT_THIN_AIR, look: Look::Render(thin_air::look) },
     Rule { code: Code::LINT_TWIN_LIGHTS, look: Look::Render(twin_lights::look) },
     Rule { code: Code::LINT_UNFINISHED_ROUND, look: Look::Render(unfinished_round::look) },
     Rule { code: Code::LINT_UNREACHABLE_ERROR, look: Look::Render(unreachable_error::look) },

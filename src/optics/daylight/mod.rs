@@ -15,6 +15,7 @@ pub use air::Air;
 pub use position::Sun;
 pub use sky::Sky;
 
-/// Turbidities that a clear sky has by [Preetham99]: how much thicker the whole air is than pure
-/// air. Below, and at some above, the formulas turn negative or without bound [Zotti07].
+/// Turbidities for which the sky is a sky: how much thicker the whole air is than pure air. Below,
+/// and with a low sun above, the formulas turn negative or without bound [Zotti07]. They were fitted
+/// from 2 on; below 2 the horizon brightens as air gets thinner, against nature.
 pub const TURBIDITIES: std::ops::RangeInclusive<f64> = 1.7..=10.0;

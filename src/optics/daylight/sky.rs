@@ -72,7 +72,7 @@ impl Sky {
     pub fn irradiance(&self, sun_zenith: f64) -> [f64; 3] {
         // The midpoint rule over cos² of the zenith angle and half the turn from the sun's side.
         const LEVELS: u32 = 256;
-        const TURNS: u32 = 256;
+        const TURNS: u32 = 64;
         let sun = DVec3::new(sun_zenith.sin(), 0.0, sun_zenith.cos());
         let mut sum = [0.0; 3];
         for level in 0..LEVELS {
