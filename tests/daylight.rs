@@ -11,10 +11,11 @@ use scn::optics::colour;
 use scn::optics::daylight::{Air, Sky, bird_riordan, position, sun};
 use scn::plan::daylight::Daylight;
 use scn::scene::{
-    self, Ambient, Depth, Integrator, NoSun, Path, Preetham, SunDirection, SunDisc, SunForm, Switch,
+    self, Ambient, AreaLights, Depth, Integrator, NoSun, Path, Preetham, SunDirection, SunDisc,
+    SunForm, Switch,
 };
 
-use by_hand::{Hand, Patient, at, direct, path, render, splits};
+use by_hand::{Hand, Patient, at, direct, integrator, path, render, splits};
 
 const ALBEDO: f64 = 0.5;
 
@@ -68,8 +69,8 @@ fn floor(integrator: Integrator, normal: DVec3, sky: Preetham) -> Hand {
 }
 
 /// Direct light, that of the sky included.
-fn in_the_open() -> Integrator {
-    let Integrator::Direct(mut direct) = direct() else { unreachable!() };
+fn in_the_open(area_lights: AreaLights) -> Integrator {
+    let Integrator::Direct(mut direct) = integrator(true, area_lights) else { unreachable!() };
     direct.environment = at(Switch(true));
     Integrator::Direct(direct)
 }
@@ -114,7 +115,8 @@ fn assert_near(found: &Moments, truth: f64, tolerance: f64, what: &str) {
 #[test]
 fn level_ground_gets_of_the_sky_what_is_known() {
     let integrators = [
-        ("direct", in_the_open()),
+        ("direct", in_the_open(AreaLights::Random)),
+        ("lamps at their centres", in_the_open(AreaLights::Center)),
         ("path", tracer(|_| ())),
         ("without mis", tracer(|path| path.mis = at(Switch(false)))),
         ("by chance", tracer(|path| path.next_event = at(Switch(false)))),
@@ -246,7 +248,7 @@ fn ground_below_the_horizon_is_black_unless_it_has_an_albedo() {
     light.sun = at(no_sun());
     let [r, g, b] = Daylight::of(&light).unwrap().ground_radiance();
     let truth = PI * colour::luminance([r, g, b]) * colour::LUMENS_A_WATT / 1000.0;
-    for integrator in [in_the_open(), tracer(|_| ())] {
+    for integrator in [in_the_open(AreaLights::Random), tracer(|_| ())] {
         let found = klx(&floor(integrator, DVec3::NEG_Y, light.clone()), 4096);
         assert_near(&found, truth, 0.01, "from below");
     }

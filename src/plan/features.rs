@@ -195,6 +195,12 @@ impl Asked<'_> {
         if let Some(unlit) = self.unlit() {
             return unlit;
         }
+        // A direction is chosen even where lamps are taken for points.
+        let around = self.survey.surroundings.first();
+        if let Some(light) = around.filter(|_| self.integrator.asks_surroundings()) {
+            let why = format!("`{}` shines from everywhere around", *light.name);
+            return (Need::Required, why, Some(light.name.span));
+        }
         if let Err(at) = self.integrator.lamp_points() {
             let why = "`area_lights: center` takes each lamp for a point";
             return (Need::Unneeded, why.to_string(), Some(at));
@@ -203,13 +209,9 @@ impl Asked<'_> {
             let why = format!("the lamp `{}` has an area", *lamp.object.name);
             return (Need::Required, why, Some(lamp.object.name.span));
         }
-        if let Some(light) = self.survey.discs.first() {
-            let why = format!("the sun of `{}` is a disc", *light.name);
-            return (Need::Required, why, Some(light.name.span));
-        }
-        match self.survey.surroundings.first().filter(|_| self.integrator.asks_surroundings()) {
+        match self.survey.discs.first() {
             Some(light) => {
-                let why = format!("`{}` shines from everywhere around", *light.name);
+                let why = format!("the sun of `{}` is a disc", *light.name);
                 (Need::Required, why, Some(light.name.span))
             }
             None => (Need::Unneeded, "no light has an extent".to_string(), None),

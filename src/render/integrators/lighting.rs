@@ -45,7 +45,7 @@ impl Lighting {
     ) {
         let mut ask = |light: &Light, taken: f32, u: [f64; 2]| {
             let arrival = match self.area_lights {
-                AreaLights::Center => light.at_centre(&world.geometry, site),
+                AreaLights::Center => light.at_centre(&world.geometry, site, u),
                 AreaLights::Random => light.sample(&world.geometry, site, u),
             };
             let Some(arrival) = arrival else { return };

@@ -100,11 +100,13 @@ impl Light {
         }
     }
 
-    /// All its light as if it came from its centre, of those that have one.
-    pub fn at_centre(&self, geometry: &Geometry, site: &Site) -> Option<Arrival> {
+    /// All its light as if it came from its centre, of those that have one; of what shines from
+    /// everywhere around, from a direction chosen by `u`.
+    pub fn at_centre(&self, geometry: &Geometry, site: &Site, u: [f64; 2]) -> Option<Arrival> {
         match self {
             Self::Lamp(lamp) => lamp.at_centre(&site.point),
-            other => other.sample(geometry, site, [0.5; 2]),
+            Self::Surroundings(it) if it.sight.is_sun() => it.sample(site, [0.5; 2]),
+            other => other.sample(geometry, site, u),
         }
     }
 
