@@ -25,7 +25,8 @@ const WORKSHEETS: &[Worksheet] = &[
     Worksheet { file: "scenes/w01_first_pictures.scn", figures: 1..=6 },
     Worksheet { file: "scenes/w02_sky_and_sun.scn", figures: 7..=10 },
     Worksheet { file: "scenes/w03_mirror_glass_metal.scn", figures: 11..=14 },
-    Worksheet { file: "scenes/w05_path_tracing.scn", figures: 22..=25 },
+    Worksheet { file: "scenes/w04_soft_shadows.scn", figures: 15..=21 },
+    Worksheet { file: "scenes/w05_path_tracing.scn", figures: 22..=26 },
 ];
 
 static SHOTS: LazyLock<Vec<Vec<Shot>>> =
@@ -107,6 +108,8 @@ fn figures_that_show_different_things_differ() {
         ("w02/day_7", "w02/day_17"), // the sun has gone round
         ("w03/fig11", "w03/fig12"), // a glass ball is no mirror
         ("w03/fig13", "w03/fig14"), // the elephant
+        ("w04/fig16", "w04/day_11"), // the sun
+        ("w02/day_11", "w04/day_11"), // the light of the sky
     ];
     for (a, b) in pairs {
         let (score, _, _) = welch(&means(a), &means(b));
