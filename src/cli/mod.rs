@@ -10,6 +10,7 @@ mod words;
 mod near;
 mod whose;
 mod bar;
+mod clock;
 mod limits;
 mod log;
 mod shard;
@@ -27,6 +28,7 @@ mod check;
 mod render;
 mod merge;
 mod plan;
+mod paths;
 mod lint;
 mod diff;
 mod fmt;
@@ -86,6 +88,7 @@ pub fn main() -> ExitCode {
     let end = match options.command {
         options::Command::Render(options) => render::run(&options),
         options::Command::Plan(options) => plan::run(&options),
+        options::Command::Paths(options) => paths::run(&options),
         options::Command::Lint(options) => lint::run(&options),
         options::Command::Fmt(options) => fmt::run(&options),
         options::Command::Merge(options) => merge::run(&options),

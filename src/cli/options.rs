@@ -13,6 +13,7 @@ Examples:
   scn new my                                  a small scene to begin with, in my.scn
   scn render scenes/w01_first_pictures.scn    every render of the file, into out/
   scn plan my.scn                             what that takes, and how right it is
+  scn paths my.scn --pixel 120,80             the paths of light through a pixel
   scn lint my.scn                             what is wrong with it
   scn fmt my.scn                              lay it out in the one style there is
   scn merge fig.*.part -o fig.exr             the picture of a render made in parts
@@ -32,6 +33,7 @@ pub struct Options {
 pub enum Command {
     Render(Render),
     Plan(super::plan::Plan),
+    Paths(super::paths::Paths),
     Lint(super::lint::Lint),
     Fmt(Fmt),
     Merge(super::merge::Merge),

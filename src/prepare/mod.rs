@@ -18,6 +18,8 @@ mod shapes;
 mod space;
 mod textures;
 
+use glam::DVec3;
+
 use crate::diag::{Diagnostic, Level, Span};
 use crate::load::Stage;
 use crate::math::paths::Automaton;
@@ -66,6 +68,8 @@ pub struct Prepared {
     pub integrator: Integrator,
     /// World units a metre.
     pub scale: f64,
+    /// The point, in metres, that is the origin of the world.
+    pub centre: DVec3,
     /// The scene's objects: number n of a hit is the n-th here.
     pub objects: Vec<ObjectNote>,
     /// What was made of the scene.
@@ -154,7 +158,7 @@ struct Parts {
     paths: Option<Automaton>,
     integrator: Integrator,
     light_unit: f64,
-    scale: f64,
+    space: space::Space,
 }
 
 fn assemble(
@@ -195,9 +199,8 @@ fn assemble(
     };
     let filter = film::filter(&scene.film.filter);
     let film = Film { size, window, filter, layers: scene.layers.len() };
-    let scale = space.length(1.0);
     let parts =
-        Parts { shapes, materials, lights, camera, film, paths, integrator, light_unit, scale };
+        Parts { shapes, materials, lights, camera, film, paths, integrator, light_unit, space };
     (Some(parts), found)
 }
 
@@ -236,7 +239,8 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         objects: stage.scene.objects.iter().zip(&objects).map(note).collect(),
         summary,
         integrator: parts.integrator,
-        scale: parts.scale,
+        scale: parts.space.length(1.0),
+        centre: parts.space.centre(),
         world: World {
             geometry,
             materials: parts.materials.all,

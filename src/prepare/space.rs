@@ -51,6 +51,11 @@ impl Space {
         Self { centre: bounds.centre(), scale, half: half * scale }
     }
 
+    /// The point, in metres, that is the origin of the world.
+    pub fn centre(&self) -> DVec3 {
+        self.centre
+    }
+
     /// A point.
     pub fn point(&self, metres: DVec3) -> DVec3 {
         (metres - self.centre) * self.scale

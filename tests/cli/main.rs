@@ -7,6 +7,7 @@ mod fmt;
 mod interrupt;
 mod lint;
 mod logs;
+mod paths;
 mod pictures;
 mod plan;
 mod replay;

@@ -5,9 +5,18 @@ use crate::bench::Bench;
 #[test]
 fn help_and_version_are_no_faults() {
     let bench = Bench::new();
-    for command in
-        ["", "render ", "lint ", "fmt ", "explain ", "list ", "new ", "completions ", "man "]
-    {
+    for command in [
+        "",
+        "render ",
+        "lint ",
+        "fmt ",
+        "explain ",
+        "list ",
+        "new ",
+        "paths ",
+        "completions ",
+        "man ",
+    ] {
         let arguments = &format!("{command}--help");
         let run = bench.run(arguments).well();
         assert!(run.stdout.contains("Examples:"), "{arguments}:\n{}", run.stdout);

@@ -11,6 +11,7 @@ use serde::Serialize;
 pub use options::Plan;
 
 use super::bias::{self, Told};
+use super::clock::Clock;
 use super::log::shown;
 use super::options::Form;
 use super::words::counted;
@@ -258,19 +259,4 @@ impl OfPilot {
             bound: pilot.bound,
         }
     }
-}
-
-/// A clock. Nothing is kept: Ctrl-C ends the process.
-struct Clock(Instant);
-
-impl Watch for Clock {
-    fn cancelled(&self) -> bool {
-        false
-    }
-
-    fn now(&self) -> f64 {
-        self.0.elapsed().as_secs_f64()
-    }
-
-    fn progress(&self, _done: u64, _total: u64) {}
 }

@@ -1,0 +1,216 @@
+//! `scn paths`: the paths of light through a pixel, drawn over the picture and listed.
+
+mod options;
+mod gathered;
+mod drawing;
+mod report;
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+pub use options::Paths;
+
+use super::clock::Clock;
+use super::log::shown;
+use super::near::listed;
+use super::options::Form;
+use super::{End, scene_file, terminal, whose};
+use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
+use crate::files::{self, Failure};
+use crate::load::{Loader, Stage};
+use crate::math::{Lines, NoProgress, Picture};
+use crate::prepare::{self, Prepared, Settings};
+use crate::run::{self, Begin};
+use gathered::Gathered;
+
+/// Samples of each pixel of the picture below the lines, if none is given.
+const ROUGH: u64 = 8;
+
+pub fn run(options: &Paths) -> End {
+    paths(options).err().unwrap_or(End::Well)
+}
+
+fn failed(text: &str) -> End {
+    terminal::fail(text);
+    End::NotDone
+}
+
+fn paths(options: &Paths) -> Result<(), End> {
+    let mut sources = Sources::new();
+    let scene = shown(&options.file);
+    let (name, stage) = stage(options, &mut sources)?;
+    if !stage.scene.integrator.follows_light() {
+        return Err(failed(&format!(
+            "render `{name}`: `preview` follows no light, and so has no paths\n  ask for another \
+             integrator: --set 'integrator=path {{}}'"
+        )));
+    }
+    let settings = Settings { scale: options.scale, crop: None };
+    if let Some(unfit) = settings.unfit(&stage) {
+        return Err(failed(&format!("render `{name}`: {unfit}")));
+    }
+    let (prepared, found) = prepare::prepare(&stage, &settings, &NoProgress);
+    let Some(prepared) = prepared else {
+        check(found, &sources, &scene)?;
+        return Err(End::SceneErrors);
+    };
+    let ([x, y], [width, height]) = (options.pixel, prepared.world.film.size);
+    if x >= width || y >= height {
+        return Err(failed(&format!(
+            "there is no pixel {x},{y} in a picture of {width} × {height}\n  columns are counted \
+             from 0 to {}, rows from 0 to {}",
+            width - 1,
+            height - 1
+        )));
+    }
+    let files = Files::new(options, &name).map_err(|text| failed(&text))?;
+    for path in files.all() {
+        files::whole::ready(path).map_err(|why| failed(&told(path, &why)))?;
+    }
+    let picture = picture(options, &prepared)?;
+
+    let kept = options.lines.max(options.top) as usize;
+    let all = Gathered::new(&prepared, options.seed, options.pixel, options.samples, kept);
+    let exposure = match options.over.as_deref().is_some_and(|path| has_ending(path, "png")) {
+        true => 1.0,
+        false => stage.scene.film.exposure.0.exp2(),
+    };
+    let below = drawing::background(&picture, exposure);
+    let most = options.lines as usize;
+    let lines = drawing::lines(&prepared.world, &all, options.pixel, options.by, most);
+    files.write(&format!("{name}, pixel {x},{y}"), below, &lines).map_err(|text| failed(&text))?;
+
+    let about = report::About { scene: &scene, render: &name, options, prepared: &prepared };
+    let files: Vec<String> = files.all().map(|path| shown(path)).collect();
+    match options.format {
+        Form::Human => terminal::say(&harmless_text(&report::human(&about, &all, &files))),
+        Form::Json => terminal::say(&format!("{:#}\n", report::json(&about, &all, &files))),
+    }
+    Ok(())
+}
+
+/// The render asked for, and its stage; without errors.
+fn stage(options: &Paths, sources: &mut Sources) -> Result<(String, Stage), End> {
+    let scene = shown(&options.file);
+    let only: Vec<String> = options.render.iter().cloned().collect();
+    let compiled =
+        scene_file::compile(&options.file, &options.set, &only, sources).ok_or(End::NotDone)?;
+    check(compiled.diagnostics, sources, &scene)?;
+    let chosen = scene_file::chosen(compiled.renders, &compiled.setups, &only, &options.file);
+    let mut renders = chosen.map_err(|text| failed(&text))?;
+    if renders.len() > 1 {
+        let names: Vec<&str> = renders.iter().map(|render| render.name.value.as_str()).collect();
+        return Err(failed(&format!(
+            "`{scene}` has {} renders\n  write which one after the file: {}",
+            names.len(),
+            listed(&names)
+        )));
+    }
+    let Some(render) = renders.pop() else { return Err(End::NotDone) };
+    let (stage, mut found) = Loader::new(&NoProgress).stage(&render.scene, sources);
+    let name = render.name.value;
+    if let Some(stage) = &stage {
+        let settings = Settings { scale: options.scale, crop: None };
+        found.extend(whose::told(vec![(name.clone(), prepare::check(stage, &settings))]));
+    }
+    check(found, sources, &scene)?;
+    stage.map(|stage| (name, stage)).ok_or(End::SceneErrors)
+}
+
+/// Tells errors; warnings are `scn lint`'s.
+fn check(found: Vec<Diagnostic>, sources: &Sources, scene: &str) -> Result<(), End> {
+    let errors: Vec<_> = found.into_iter().filter(|fault| fault.level == Level::Error).collect();
+    if errors.is_empty() {
+        return Ok(());
+    }
+    let errors = diag::in_order(errors, sources);
+    terminal::tell(&diag::print::report(&errors, sources, scene, terminal::stderr_look()));
+    Err(End::SceneErrors)
+}
+
+/// What the lines are drawn over: the picture given, or a rough one.
+fn picture(options: &Paths, prepared: &Prepared) -> Result<Picture, End> {
+    let Some(path) = &options.over else {
+        let Prepared { world, integrator, .. } = prepared;
+        let settings = run::Settings::samples(options.seed, ROUGH);
+        let watch = Clock(Instant::now());
+        return Ok(run::render(world, integrator, &settings, Begin::new(world), &watch).picture);
+    };
+    let read = match () {
+        () if has_ending(path, "exr") => files::exr::read(path).map(|(layers, _)| layers.main),
+        () if has_ending(path, "png") => files::png::read(path).map(|(picture, _)| picture),
+        () => Err(Failure::new("is neither .exr nor .png")),
+    };
+    let picture = read.map_err(|why| failed(&told(path, &why)))?;
+    let [width, height] = prepared.world.film.size;
+    if [picture.width as u64, picture.height as u64] == [width, height] {
+        return Ok(picture);
+    }
+    Err(failed(&format!(
+        "the picture `{}` is of {} × {}, and the film of {width} × {height}",
+        shown(path),
+        picture.width,
+        picture.height
+    )))
+}
+
+fn told(path: &Path, why: &Failure) -> String {
+    format!("the picture `{}` {why}", shown(path))
+}
+
+fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|it| it.eq_ignore_ascii_case(ending))
+}
+
+/// Where drawings go.
+struct Files {
+    png: Option<PathBuf>,
+    svg: Option<PathBuf>,
+}
+
+impl Files {
+    fn new(options: &Paths, render: &str) -> Result<Self, String> {
+        let both = |name: PathBuf| {
+            let with = |ending: &str| {
+                let mut file = name.clone().into_os_string();
+                file.push(ending);
+                Some(PathBuf::from(file))
+            };
+            Self { png: with(".png"), svg: with(".svg") }
+        };
+        let Some(path) = &options.output else {
+            let stem = options.file.file_stem().unwrap_or(OsStr::new("scene"));
+            return Ok(both(Path::new("out").join(stem).join(format!("{render}.paths"))));
+        };
+        let (folder, shown) = (files::whole::is_folder(path), shown(path));
+        if folder || path.file_name().is_none() || shown.ends_with(['/', '\\']) {
+            return Ok(both(path.join(format!("{render}.paths"))));
+        }
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            Some("png") => Ok(Self { png: Some(path.clone()), svg: None }),
+            Some("svg") => Ok(Self { png: None, svg: Some(path.clone()) }),
+            Some(ending @ ("exr" | "jpg" | "jpeg" | "pdf" | "gif" | "webp")) => {
+                Err(format!("-o {shown}: drawings are written as .png and .svg, not as .{ending}"))
+            }
+            _ => Ok(both(path.clone())),
+        }
+    }
+
+    fn all(&self) -> impl Iterator<Item = &PathBuf> {
+        self.png.iter().chain(&self.svg)
+    }
+
+    fn write(&self, title: &str, mut picture: Picture, lines: &[Lines]) -> Result<(), String> {
+        if let Some(path) = &self.svg {
+            files::svg::write(path, title, &picture, lines).map_err(|why| told(path, &why))?;
+        }
+        if let Some(path) = &self.png {
+            lines.iter().for_each(|lines| lines.draw(&mut picture));
+            let words = vec![("scn:paths".to_string(), title.to_string())];
+            files::png::write(path, &picture, 1.0, &words).map_err(|why| told(path, &why))?;
+        }
+        Ok(())
+    }
+}
