@@ -46,7 +46,7 @@ fn paths(options: &Paths) -> Result<(), End> {
              integrator: --set 'integrator=path {{}}'"
         )));
     }
-    let settings = Settings { scale: options.scale, crop: None };
+    let settings = settings(options);
     if let Some(unfit) = settings.unfit(&stage) {
         return Err(failed(&format!("render `{name}`: {unfit}")));
     }
@@ -90,6 +90,10 @@ fn paths(options: &Paths) -> Result<(), End> {
     Ok(())
 }
 
+fn settings(options: &Paths) -> Settings {
+    Settings { scale: options.scale, crop: None, portable: terminal::portable() }
+}
+
 /// The render asked for, and its stage; without errors.
 fn stage(options: &Paths, sources: &mut Sources) -> Result<(String, Stage), End> {
     let scene = shown(&options.file);
@@ -111,8 +115,8 @@ fn stage(options: &Paths, sources: &mut Sources) -> Result<(String, Stage), End>
     let (stage, mut found) = Loader::new(&NoProgress).stage(&render.scene, sources);
     let name = render.name.value;
     if let Some(stage) = &stage {
-        let settings = Settings { scale: options.scale, crop: None };
-        found.extend(whose::told(vec![(name.clone(), prepare::check(stage, &settings))]));
+        let faults = prepare::check(stage, &settings(options));
+        found.extend(whose::told(vec![(name.clone(), faults)]));
     }
     check(found, sources, &scene)?;
     stage.map(|stage| (name, stage)).ok_or(End::SceneErrors)
