@@ -8,7 +8,7 @@ use glam::{DVec3, dvec3};
 use scn::math::{Rgb, Spectrum};
 use scn::measure::statistics::{Moments, agrees};
 use scn::optics::colour;
-use scn::optics::daylight::{Air, Sky, bird_riordan, position, sun};
+use scn::optics::daylight::{Air, Sky, Sun, bird_riordan, position, sun};
 use scn::plan::daylight::Daylight;
 use scn::scene::{
     self, Ambient, AreaLights, Depth, Integrator, NoSun, Path, Preetham, SunDirection, SunDisc,
@@ -336,6 +336,27 @@ fn the_page_tells_what_the_models_give() {
         format!("{:.0} W/m²/sr, so", colour::luminance(day.level_irradiance()) / PI),
     ] {
         assert!(page.contains(&told), "docs/daylight.md lacks: {told}");
+    }
+}
+
+/// The table of docs/worksheets.md.
+#[test]
+fn the_worksheets_tell_the_light_of_the_day() {
+    let page = std::fs::read_to_string("docs/worksheets.md").unwrap();
+    let klx = |rgb| colour::LUMENS_A_WATT / 1000.0 * colour::luminance(rgb);
+    for (morning, afternoon) in [(7.0, 17.0), (9.0, 15.0), (11.0, 13.0)] {
+        for hour in [morning, afternoon] {
+            let sun = Sun::at(55.77_f64.to_radians(), 255.0, hour);
+            let light = sun::irradiance(&Air::of_turbidity(2.4), sun.zenith);
+            let row = format!(
+                "| {morning}, {afternoon} | {:.1}° | {:.1} | {:.2} | {:.1} |",
+                90.0 - sun.zenith.to_degrees(),
+                klx(light),
+                light[0] / light[2],
+                klx(Sky::new(2.4, sun.zenith).irradiance(sun.zenith)),
+            );
+            assert!(page.contains(&row), "docs/worksheets.md lacks: {row}");
+        }
     }
 }
 
