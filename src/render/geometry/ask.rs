@@ -68,7 +68,7 @@ fn closest<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> Option<Hit> {
     let mut best = Best::before(ray.t_max);
     geometry.meet_planes(&probe, &mut best);
     walk::<_, false>(lanes, &geometry.tree, &geometry.shapes, &probe, &mut best);
-    Some(geometry.hit(&probe, best.t, best.primitive?))
+    geometry.hit(lanes, &probe, &best)
 }
 
 #[inline(always)]

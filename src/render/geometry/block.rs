@@ -3,7 +3,7 @@
 //! remain to f64.
 //!
 //! Corners are kept as whole numbers of a quantum from the block's lowest corner, in 16
-//! bits: a block is three cache lines. The exact corners stay with the shapes.
+//! bits: a block is three cache lines. The exact corners are in their faces.
 //!
 //! The test is Woop's [Woop13] in units of the quantum. With E = 65535 the size of the block's
 //! cube, the ray in these units is x(z) = c + s·z, |s| ≤ 1, along the axis z of its depth, and c is
@@ -17,7 +17,7 @@ use glam::Vec3;
 
 use super::lanes::{LANES, Lanes};
 use super::ray::Probe;
-use super::shapes::{Primitive, Shapes};
+use super::triangle::Face;
 
 /// The greatest whole number: the side of the cube around a block, in quanta.
 const SIDE: f32 = 65_535.0;
@@ -48,7 +48,8 @@ pub(super) struct Block {
     scale: u32,
     /// Axis, then corner; a lane a triangle. In quanta, from the lowest corner.
     corners: [[[u16; LANES]; 3]; 3],
-    primitives: [Primitive; LANES],
+    /// The number of the first lane's face; the others follow.
+    pub first: u32,
 }
 
 /// Lanes that a ray may meet.
@@ -62,25 +63,24 @@ pub(super) struct Candidates<L: Lanes> {
 }
 
 impl Block {
-    /// One to eight triangles.
-    pub fn new(shapes: &Shapes, triangles: &[Primitive]) -> Self {
-        let all = || triangles.iter().flat_map(|p| shapes.corners(p.index()));
+    /// One to eight triangles: faces from a number on.
+    pub fn new(first: usize, faces: &[Face]) -> Self {
+        let all = || faces.iter().flat_map(|face| face.corners.map(Vec3::from_array));
         let low = all().fold(Vec3::INFINITY, Vec3::min);
         let high = all().fold(Vec3::NEG_INFINITY, Vec3::max);
         let extent = (high.as_dvec3() - low.as_dvec3()).max_element();
         let quantum = quantum(extent);
         let mut block = Self {
             low: low.to_array(),
-            scale: ((1.0 / quantum) as f32).to_bits() | ((1 << triangles.len()) - 1),
+            scale: ((1.0 / quantum) as f32).to_bits() | ((1 << faces.len()) - 1),
             corners: [[[0; LANES]; 3]; 3],
-            primitives: [triangles[0]; LANES],
+            first: first as u32,
         };
-        for (lane, primitive) in triangles.iter().enumerate() {
-            block.primitives[lane] = *primitive;
-            for (k, corner) in shapes.corners(primitive.index()).into_iter().enumerate() {
-                let whole = ((corner.as_dvec3() - low.as_dvec3()) / quantum).round();
-                for (all, coordinate) in block.corners.iter_mut().zip(whole.to_array()) {
-                    all[k][lane] = coordinate as u16;
+        for (lane, face) in faces.iter().enumerate() {
+            for (k, corner) in face.corners.into_iter().enumerate() {
+                for axis in 0..3 {
+                    let from_low = f64::from(corner[axis]) - f64::from(block.low[axis]);
+                    block.corners[axis][k][lane] = (from_low / quantum).round() as u16;
                 }
             }
         }
@@ -143,12 +143,6 @@ impl Block {
         let slack = lanes.mul(slack, lanes.splat(scale.abs()));
         let between = [lanes.sub(t, slack), lanes.add(t, slack)];
         Candidates { possible, inside, between }
-    }
-
-    /// The triangle in a lane.
-    #[inline(always)]
-    pub fn primitive(&self, lane: usize) -> Primitive {
-        self.primitives[lane]
     }
 }
 

@@ -6,6 +6,8 @@
 //! one pair a round. Only the shape of its tree is taken; boxes are made afresh from the shapes.
 //! Triangles without area, and those whose corners are no numbers, are never met and left out.
 
+use std::ops::Range;
+
 use glam::{DVec3, Vec3, Vec3A};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -20,7 +22,7 @@ use super::lanes::LANES;
 use super::node::{Below, Child, Node};
 use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
-use super::triangle;
+use super::triangle::{self, Face};
 use super::walk::DEEPEST;
 use crate::math::random;
 
@@ -49,13 +51,19 @@ impl Tree {
     pub(super) fn followed(shapes: &Shapes, depth: usize) -> Self {
         let items: Vec<Primitive> =
             shapes.primitives().filter(|p| can_be_met(shapes, *p)).collect();
-        let mut tree = Self { nodes: Vec::new(), blocks: Vec::new(), walker: Walker::found() };
+        let mut tree = Self {
+            nodes: Vec::new(),
+            blocks: Vec::new(),
+            faces: Vec::new(),
+            walker: Walker::found(),
+        };
         if items.is_empty() {
             return tree;
         }
         let clusters = cluster(shapes, &items);
         let weights = weights(&clusters, &items);
         let mut collapse = Collapse {
+            shapes,
             items,
             clusters,
             weights,
@@ -66,22 +74,15 @@ impl Tree {
         };
         collapse.root();
         let Collapse { mut nodes, leaves, order, .. } = collapse;
-        let blocks: Vec<(Option<Block>, Bounds)> = leaves
-            .par_iter()
-            .with_min_len(GRAIN / LANES)
-            .map(|leaf| leaf.fill(shapes, &order))
-            .collect();
-        for (leaf, (block, bounds)) in leaves.iter().zip(blocks) {
-            let child = match block {
-                Some(block) => {
-                    tree.blocks.push(block);
-                    Child::block(tree.blocks.len() - 1)
-                }
-                None => Child::round(order[leaf.first]),
-            };
+        tree.faces = order.par_iter().with_min_len(GRAIN).map(|p| Face::new(shapes, *p)).collect();
+        let fill = |leaf: &Leaf| Block::new(leaf.first, &tree.faces[leaf.range()]);
+        tree.blocks = leaves.par_iter().with_min_len(GRAIN / LANES).map(fill).collect();
+        for (number, leaf) in leaves.iter().enumerate() {
+            let all = order[leaf.range()].iter();
+            let bounds = all.fold(Bounds::EMPTY, |sum, p| sum.union(padded(shapes, *p)));
             let (node, lane) = leaf.place;
             nodes[node].set(lane, bounds);
-            nodes[node].children[lane] = child;
+            nodes[node].children[lane] = Child::block(number);
         }
         // Children come after their parents.
         for at in (0..nodes.len()).rev() {
@@ -188,25 +189,23 @@ fn weights(clusters: &Bvh2, items: &[Primitive]) -> Vec<u32> {
     weights
 }
 
-/// A leaf: a sphere, a disk, or up to eight triangles.
+/// A leaf of up to eight triangles.
 struct Leaf {
     /// Node and lane.
     place: (usize, usize),
-    /// Its shapes, in the order of the tree.
+    /// Its triangles, in the order of the tree.
     first: usize,
     count: usize,
 }
 
 impl Leaf {
-    fn fill(&self, shapes: &Shapes, order: &[Primitive]) -> (Option<Block>, Bounds) {
-        let all = &order[self.first..self.first + self.count];
-        let bounds = all.iter().fold(Bounds::EMPTY, |sum, p| sum.union(padded(shapes, *p)));
-        let block = (all[0].kind() == Kind::Triangle).then(|| Block::new(shapes, all));
-        (block, bounds)
+    fn range(&self) -> Range<usize> {
+        self.first..self.first + self.count
     }
 }
 
-struct Collapse {
+struct Collapse<'a> {
+    shapes: &'a Shapes,
     items: Vec<Primitive>,
     clusters: Bvh2,
     weights: Vec<u32>,
@@ -214,11 +213,11 @@ struct Collapse {
     depth: usize,
     nodes: Vec<Node>,
     leaves: Vec<Leaf>,
-    /// The shapes of all leaves.
+    /// The triangles of all leaves.
     order: Vec<Primitive>,
 }
 
-impl Collapse {
+impl Collapse<'_> {
     fn root(&mut self) {
         // The walk begins at a node, even if all is one leaf.
         self.nodes.push(Node::EMPTY);
@@ -301,7 +300,14 @@ impl Collapse {
         }
     }
 
+    /// A sphere or disk is a child itself; triangles make up a leaf.
     fn leaf(&mut self, place: (usize, usize), mut all: Vec<Primitive>) {
+        if all[0].kind() != Kind::Triangle {
+            let (node, lane) = place;
+            self.nodes[node].children[lane] = Child::round(all[0]);
+            self.nodes[node].set(lane, padded(self.shapes, all[0]));
+            return;
+        }
         all.sort_unstable();
         self.leaves.push(Leaf { place, first: self.order.len(), count: all.len() });
         self.order.extend(all);

@@ -1,10 +1,11 @@
-//! Eight numbers at a time, by what the processor offers.
+//! Eight numbers at a time, or three exact ones, by what the processor offers.
 //!
-//! What is computed here only ever throws out what a ray certainly misses, with bounds that hold
-//! whether products are rounded before they are added to or not. So every processor gives the same
-//! answers, to the bit.
+//! What is computed with eight only ever throws out what a ray certainly misses and keeps what it
+//! certainly meets, with bounds that hold whether products are rounded before they are added to or
+//! not. Answers come from the exact ones, in f64. So every processor gives the same, to the bit.
 
-use glam::Vec4;
+use glam::swizzles::Vec3Swizzles;
+use glam::{DVec3, Vec3, Vec4};
 
 /// Numbers in a vector: children a node, triangles a block.
 pub(super) const LANES: usize = 8;
@@ -34,6 +35,46 @@ pub(super) trait Lanes: Copy {
     fn abs(self, a: Self::Eight) -> Self::Eight;
     /// A bit for each lane where a ≤ b.
     fn at_most(self, a: Self::Eight, b: Self::Eight) -> u32;
+
+    /// Three numbers of f64 and a zero. Each operation is rounded by itself, the same everywhere.
+    type Exact: Copy;
+
+    fn exact(self, values: [f32; 3]) -> Self::Exact;
+    fn exact_splat(self, value: f64) -> Self::Exact;
+    fn exact_store(self, a: Self::Exact) -> [f64; 3];
+    fn exact_add(self, a: Self::Exact, b: Self::Exact) -> Self::Exact;
+    fn exact_sub(self, a: Self::Exact, b: Self::Exact) -> Self::Exact;
+    fn exact_mul(self, a: Self::Exact, b: Self::Exact) -> Self::Exact;
+    /// Each number, or zero if that is greater.
+    fn exact_positive(self, a: Self::Exact) -> Self::Exact;
+    fn exact_abs(self, a: Self::Exact) -> Self::Exact;
+    /// From (x, y, z) to (y, z, x).
+    fn exact_turn(self, a: Self::Exact) -> Self::Exact;
+    /// Rounded to f32.
+    fn exact_round(self, a: Self::Exact) -> [f32; 3];
+
+    #[inline(always)]
+    fn exact_scale(self, a: Self::Exact, scale: f64) -> Self::Exact {
+        self.exact_mul(a, self.exact_splat(scale))
+    }
+
+    /// x + y + z, added from the left.
+    #[inline(always)]
+    fn exact_sum(self, a: Self::Exact) -> f64 {
+        let [x, y, z] = self.exact_store(a);
+        x + y + z
+    }
+
+    #[inline(always)]
+    fn exact_dot(self, a: Self::Exact, b: Self::Exact) -> f64 {
+        self.exact_sum(self.exact_mul(a, b))
+    }
+
+    #[inline(always)]
+    fn exact_cross(self, a: Self::Exact, b: Self::Exact) -> Self::Exact {
+        let (next, last) = (self.exact_turn(a), self.exact_turn(b));
+        self.exact_turn(self.exact_sub(self.exact_mul(a, last), self.exact_mul(next, b)))
+    }
 }
 
 /// On any processor: two vectors of four, which most have.
@@ -121,6 +162,58 @@ impl Lanes for Portable {
     #[inline(always)]
     fn at_most(self, a: Pair, b: Pair) -> u32 {
         a[0].cmple(b[0]).bitmask() | a[1].cmple(b[1]).bitmask() << 4
+    }
+
+    type Exact = DVec3;
+
+    #[inline(always)]
+    fn exact(self, values: [f32; 3]) -> DVec3 {
+        Vec3::from_array(values).as_dvec3()
+    }
+
+    #[inline(always)]
+    fn exact_splat(self, value: f64) -> DVec3 {
+        DVec3::splat(value)
+    }
+
+    #[inline(always)]
+    fn exact_store(self, a: DVec3) -> [f64; 3] {
+        a.to_array()
+    }
+
+    #[inline(always)]
+    fn exact_add(self, a: DVec3, b: DVec3) -> DVec3 {
+        a + b
+    }
+
+    #[inline(always)]
+    fn exact_sub(self, a: DVec3, b: DVec3) -> DVec3 {
+        a - b
+    }
+
+    #[inline(always)]
+    fn exact_mul(self, a: DVec3, b: DVec3) -> DVec3 {
+        a * b
+    }
+
+    #[inline(always)]
+    fn exact_positive(self, a: DVec3) -> DVec3 {
+        a.max(DVec3::ZERO)
+    }
+
+    #[inline(always)]
+    fn exact_abs(self, a: DVec3) -> DVec3 {
+        a.abs()
+    }
+
+    #[inline(always)]
+    fn exact_turn(self, a: DVec3) -> DVec3 {
+        a.yzx()
+    }
+
+    #[inline(always)]
+    fn exact_round(self, a: DVec3) -> [f32; 3] {
+        a.as_vec3().to_array()
     }
 }
 
@@ -232,6 +325,64 @@ mod avx2 {
         #[inline(always)]
         fn at_most(self, a: __m256, b: __m256) -> u32 {
             run!(_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b))) as u32
+        }
+
+        type Exact = __m256d;
+
+        #[inline(always)]
+        fn exact(self, [x, y, z]: [f32; 3]) -> __m256d {
+            run!(_mm256_cvtps_pd(_mm_setr_ps(x, y, z, 0.0)))
+        }
+
+        #[inline(always)]
+        fn exact_splat(self, value: f64) -> __m256d {
+            run!(_mm256_set1_pd(value))
+        }
+
+        #[inline(always)]
+        fn exact_store(self, a: __m256d) -> [f64; 3] {
+            let low = run!(_mm256_castpd256_pd128(a));
+            let high = run!(_mm256_extractf128_pd::<1>(a));
+            let y = run!(_mm_unpackhi_pd(low, low));
+            [run!(_mm_cvtsd_f64(low)), run!(_mm_cvtsd_f64(y)), run!(_mm_cvtsd_f64(high))]
+        }
+
+        #[inline(always)]
+        fn exact_add(self, a: __m256d, b: __m256d) -> __m256d {
+            run!(_mm256_add_pd(a, b))
+        }
+
+        #[inline(always)]
+        fn exact_sub(self, a: __m256d, b: __m256d) -> __m256d {
+            run!(_mm256_sub_pd(a, b))
+        }
+
+        #[inline(always)]
+        fn exact_mul(self, a: __m256d, b: __m256d) -> __m256d {
+            run!(_mm256_mul_pd(a, b))
+        }
+
+        #[inline(always)]
+        fn exact_positive(self, a: __m256d) -> __m256d {
+            run!(_mm256_max_pd(a, _mm256_setzero_pd()))
+        }
+
+        #[inline(always)]
+        fn exact_abs(self, a: __m256d) -> __m256d {
+            run!(_mm256_andnot_pd(_mm256_set1_pd(-0.0), a))
+        }
+
+        #[inline(always)]
+        fn exact_turn(self, a: __m256d) -> __m256d {
+            run!(_mm256_permute4x64_pd::<0b11_00_10_01>(a))
+        }
+
+        #[inline(always)]
+        fn exact_round(self, a: __m256d) -> [f32; 3] {
+            let mut all = [0.0; 4];
+            run!(_mm_storeu_ps(all.as_mut_ptr(), _mm256_cvtpd_ps(a)));
+            let [x, y, z, _] = all;
+            [x, y, z]
         }
     }
 }

@@ -11,7 +11,6 @@ mod block;
 mod build;
 mod coordinates;
 mod disk;
-mod exact;
 mod lanes;
 mod node;
 mod plane;
@@ -34,6 +33,7 @@ pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 
 use ask::Walker;
 use best::Best;
+use lanes::Lanes;
 use ray::Probe;
 use shapes::Kind;
 use tree::Tree;
@@ -129,22 +129,24 @@ impl Geometry {
         }
     }
 
-    /// Everything about the meeting with a primitive that `meet` found; at `t`, if not a triangle.
+    /// Everything about the best meeting found.
     #[inline(always)]
-    fn hit(&self, probe: &Probe, t: f32, primitive: Primitive) -> Hit {
-        let index = primitive.index();
-        let (surface, t, owner) = if primitive.kind() == Kind::Triangle {
-            let (surface, t) = triangle::surface(probe, &self.shapes, index);
-            (surface, t, self.shapes.triangle_owners[index])
-        } else {
-            (self.other_surface(probe, primitive), t, self.shapes.owner(primitive))
+    fn hit<L: Lanes>(&self, lanes: L, probe: &Probe, best: &Best) -> Option<Hit> {
+        let primitive = best.primitive?;
+        let (surface, t, owner) = match best.face() {
+            Some(face) => {
+                let face = &self.tree.faces[face];
+                let (surface, t) = face.surface(lanes, probe, &self.shapes);
+                (surface, t, face.owner)
+            }
+            None => (self.surface(probe, primitive), best.t, self.shapes.owner(primitive)),
         };
         let ray::Surface { point, ns, uv } = surface;
         let uv = match self.coordinates {
             true => self.shapes.coordinates.at(primitive, point.position, uv),
             false => uv.as_dvec2(),
         };
-        Hit {
+        Some(Hit {
             t,
             position: point.position,
             error: point.error,
@@ -154,16 +156,18 @@ impl Geometry {
             primitive,
             object: owner.object,
             material: owner.material,
-        }
+        })
     }
 
-    fn other_surface(&self, probe: &Probe, primitive: Primitive) -> ray::Surface {
+    /// Where a ray meets a primitive that is no face of the tree's.
+    #[inline(never)]
+    fn surface(&self, probe: &Probe, primitive: Primitive) -> ray::Surface {
         let index = primitive.index();
         match primitive.kind() {
-            Kind::Triangle => triangle::surface(probe, &self.shapes, index).0,
             Kind::Sphere => sphere::surface(probe, &self.shapes.spheres[index]),
             Kind::Disk => disk::surface(probe, &self.shapes.disks[index]),
             Kind::Plane => plane::surface(probe, &self.shapes.planes[index]),
+            Kind::Triangle => unreachable!("triangles are faces"),
         }
     }
 }

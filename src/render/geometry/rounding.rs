@@ -17,7 +17,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::exact::Exact;
+use super::lanes::Lanes;
 
 /// Unit roundoff of f32: 2⁻²⁴.
 const UNIT_32: f64 = f32::EPSILON as f64 / 2.0;
@@ -41,11 +41,15 @@ pub(super) fn position(exact: DVec3, magnitude: DVec3) -> (Vec3, Vec3) {
     (exact.as_vec3(), up(error))
 }
 
-/// The same of a position in hand as an [`Exact`].
+/// The same by a processor's instructions.
 #[inline(always)]
-pub(super) fn near(exact: Exact, magnitude: Exact) -> (Vec3, Vec3) {
-    let error = (exact.abs() * UNIT_32 + magnitude * (STEPS * UNIT_64)).to_f32();
-    (exact.to_f32(), Vec3::new(above(error.x), above(error.y), above(error.z)))
+pub(super) fn near<L: Lanes>(lanes: L, exact: L::Exact, magnitude: L::Exact) -> (Vec3, Vec3) {
+    let error = lanes.exact_add(
+        lanes.exact_scale(lanes.exact_abs(exact), UNIT_32),
+        lanes.exact_scale(magnitude, STEPS * UNIT_64),
+    );
+    let [x, y, z] = lanes.exact_round(error);
+    (lanes.exact_round(exact).into(), Vec3::new(above(x), above(y), above(z)))
 }
 
 /// The next f32 above one that is not negative.

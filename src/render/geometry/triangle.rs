@@ -3,105 +3,152 @@
 use glam::{DVec3, Vec2, Vec3};
 
 use super::Bounds;
-use super::exact::Exact;
+use super::lanes::Lanes;
 use super::ray::{Point, Probe, Surface};
 use super::rounding;
-use super::shapes::Shapes;
+use super::shapes::{Owner, Primitive, Shapes};
 
-/// Twice the signed areas of the three parts into which the ray cuts the triangle, seen along the
-/// ray; they are the barycentric weights, not yet divided by their sum.
-///
-/// In f64 the corners relative to the origin are exact or nearly, and two triangles compute the
-/// same numbers on the edge they share. A difference of rounded products is of the right sign or
-/// zero, since rounding keeps order; zero counts as inside. So no gap is left between them.
-#[inline(always)]
-fn parts(probe: &Probe, [a, b, c]: [DVec3; 3]) -> Exact {
-    let [x, y, z] = probe.axes;
-    let origin = probe.origin();
-    let across = |axis: usize| Exact::new(a[axis], b[axis], c[axis]) - Exact::splat(origin[axis]);
-    let depth = across(z);
-    let x = across(x) - depth * probe.shear[0];
-    let y = across(y) - depth * probe.shear[1];
-    // Of the corners after and before each one: c and b, a and c, b and a.
-    let (next, last) = (x.turned(), y.turned());
-    next.turned() * last - last.turned() * next
+/// A triangle as the tree keeps it, in the order of the tree: all that a meeting with it asks for,
+/// side by side.
+pub(super) struct Face {
+    /// World units.
+    pub corners: [[f32; 3]; 3],
+    pub primitive: Primitive,
+    pub owner: Owner,
 }
 
-/// Normal by the corners' order, not of unit length. Differences of f32 fit f64, and so mostly do
-/// their products: slivers have normals too.
-#[inline(always)]
-pub(super) fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
-    exact_normal([a.into(), b.into(), c.into()]).to_array().into()
-}
-
-#[inline(always)]
-fn exact_normal([a, b, c]: [Exact; 3]) -> Exact {
-    (b - a).cross(c - a)
-}
-
-/// Where the ray meets the plane of the triangle.
-#[inline(always)]
-fn parameter(probe: &Probe, normal: Exact, corner: Exact) -> f64 {
-    normal.dot(corner - probe.origin().into()) / normal.dot(probe.direction().into())
-}
-
-/// The parameter t > 0 at which the ray meets the triangle, edges included; `inside` if it is known
-/// to pass inside of the edges.
-///
-/// It comes from the plane of the triangle, so that its sign says on which side the origin is: a
-/// ray that leaves the triangle never comes back to it.
-#[inline(always)]
-pub(super) fn meet(probe: &Probe, corners: [DVec3; 3], inside: bool) -> Option<f32> {
-    if !inside {
-        let [u, v, w] = parts(probe, corners).to_array();
-        let (least, most) = (u.min(v).min(w), u.max(v).max(w));
-        // Seen edge on, or too small to be seen: those around it are met.
-        if (least < 0.0 && most > 0.0) || (least == 0.0 && most == 0.0) {
-            return None;
-        }
+impl Face {
+    pub fn new(shapes: &Shapes, primitive: Primitive) -> Self {
+        let index = primitive.index();
+        let corners = shapes.corners(index).map(|corner| corner.to_array());
+        Self { corners, primitive, owner: shapes.triangle_owners[index] }
     }
-    let corners = corners.map(Exact::from);
-    let t = parameter(probe, exact_normal(corners), corners[0]);
-    (t > 0.0 && t.is_finite()).then_some(t as f32)
-}
 
-/// The place where the ray meets it, and its parameter.
-#[inline(always)]
-pub(super) fn surface(probe: &Probe, shapes: &Shapes, index: usize) -> (Surface, f32) {
-    let corners = shapes.exact_corners(index);
-    let parts = parts(probe, corners);
-    // The ray may pass outside by rounding: the nearest weights inside stand for it.
-    let weights = (parts * parts.sum().signum()).positive();
-    let sum = weights.sum();
-    let weights = if sum > 0.0 { weights * (1.0 / sum) } else { Exact::splat(1.0 / 3.0) };
-    let [u, v, w] = weights.to_array();
-    let [a, b, c] = corners.map(Exact::from);
-    let exact = a * u + b * v + c * w;
-    let (position, error) = rounding::near(exact, a.abs() + b.abs() + c.abs());
-    let normal = exact_normal([a, b, c]);
-    let t = parameter(probe, normal, a) as f32;
-    let length = normal.dot(normal).sqrt();
-    let ng = if length > 0.0 && length < f64::INFINITY {
-        normal * (1.0 / length)
-    } else {
-        DVec3::Z.into()
-    };
-    let ns = match shapes.corner_normals(index) {
-        None => ng.to_f32(),
-        Some(normals) => shading_normal(ng, normals, [u, v, w]),
-    };
-    let point = Point { position, error, ng: ng.to_f32() };
-    (Surface { point, ns, uv: Vec2::new(v as f32, w as f32) }, t)
+    /// Twice the signed areas of the three parts into which the ray cuts the triangle, seen along
+    /// the ray; they are the barycentric weights, not yet divided by their sum.
+    ///
+    /// In f64 the corners relative to the origin are exact or nearly, and two triangles compute the
+    /// same numbers on the edge they share. A difference of rounded products is of the right sign or
+    /// zero, since rounding keeps order; zero counts as inside. So no gap is left between them.
+    #[inline(always)]
+    fn parts<L: Lanes>(&self, lanes: L, probe: &Probe) -> L::Exact {
+        let [x, y, z] = probe.axes;
+        let depth = self.across(lanes, probe, z);
+        let x = self.across(lanes, probe, x);
+        let y = self.across(lanes, probe, y);
+        let x = lanes.exact_sub(x, lanes.exact_scale(depth, probe.shear[0]));
+        let y = lanes.exact_sub(y, lanes.exact_scale(depth, probe.shear[1]));
+        // Of the corners after and before each one: c and b, a and c, b and a.
+        let (after, last) = (lanes.exact_turn(x), lanes.exact_turn(y));
+        let (next, other) = (lanes.exact_turn(after), lanes.exact_turn(last));
+        lanes.exact_sub(lanes.exact_mul(next, last), lanes.exact_mul(other, after))
+    }
+
+    /// The three corners along an axis, from the origin.
+    #[inline(always)]
+    fn across<L: Lanes>(&self, lanes: L, probe: &Probe, axis: usize) -> L::Exact {
+        let [a, b, c] = &self.corners;
+        let origin = lanes.exact_splat(f64::from(probe.near_origin[axis]));
+        lanes.exact_sub(lanes.exact([a[axis], b[axis], c[axis]]), origin)
+    }
+
+    /// By the corners' order, not of unit length. Differences of f32 fit f64, and so mostly do their
+    /// products: slivers have normals too.
+    #[inline(always)]
+    fn normal<L: Lanes>(&self, lanes: L) -> L::Exact {
+        let [a, b, c] = self.corners;
+        let (a, b, c) = (lanes.exact(a), lanes.exact(b), lanes.exact(c));
+        lanes.exact_cross(lanes.exact_sub(b, a), lanes.exact_sub(c, a))
+    }
+
+    /// Where the ray meets the plane of the triangle.
+    #[inline(always)]
+    fn parameter<L: Lanes>(&self, lanes: L, probe: &Probe, normal: L::Exact) -> f64 {
+        let origin = lanes.exact(probe.near_origin.to_array());
+        let direction = lanes.exact(probe.near_direction.to_array());
+        let way = lanes.exact_sub(lanes.exact(self.corners[0]), origin);
+        lanes.exact_dot(normal, way) / lanes.exact_dot(normal, direction)
+    }
+
+    /// The parameter t > 0 at which the ray meets the triangle, edges included; `inside` if it is
+    /// known to pass inside of the edges.
+    ///
+    /// It comes from the plane of the triangle, so that its sign says on which side the origin is: a
+    /// ray that leaves the triangle never comes back to it.
+    #[inline(always)]
+    pub fn meet<L: Lanes>(&self, lanes: L, probe: &Probe, inside: bool) -> Option<f32> {
+        if !inside {
+            let [u, v, w] = lanes.exact_store(self.parts(lanes, probe));
+            let mixed = (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0);
+            // Seen edge on, or too small to be seen: those around it are met.
+            if mixed || (u == 0.0 && v == 0.0 && w == 0.0) {
+                return None;
+            }
+        }
+        let t = self.parameter(lanes, probe, self.normal(lanes));
+        (t > 0.0 && t < f64::INFINITY).then_some(t as f32)
+    }
+
+    /// The place where the ray meets it, and its parameter.
+    #[inline(always)]
+    pub fn surface<L: Lanes>(&self, lanes: L, probe: &Probe, shapes: &Shapes) -> (Surface, f32) {
+        let parts = self.parts(lanes, probe);
+        // The ray may pass outside by rounding: the nearest weights inside stand for it.
+        let side = 1_f64.copysign(lanes.exact_sum(parts));
+        let weights = lanes.exact_positive(lanes.exact_scale(parts, side));
+        let sum = lanes.exact_sum(weights);
+        let weights = if sum > 0.0 {
+            lanes.exact_scale(weights, 1.0 / sum)
+        } else {
+            lanes.exact_splat(1.0 / 3.0)
+        };
+        let [u, v, w] = lanes.exact_store(weights);
+        let [a, b, c] = self.corners;
+        let (a, b, c) = (lanes.exact(a), lanes.exact(b), lanes.exact(c));
+        let exact = lanes.exact_add(lanes.exact_scale(a, u), lanes.exact_scale(b, v));
+        let exact = lanes.exact_add(exact, lanes.exact_scale(c, w));
+        let magnitude = lanes.exact_add(lanes.exact_abs(a), lanes.exact_abs(b));
+        let magnitude = lanes.exact_add(magnitude, lanes.exact_abs(c));
+        let (position, error) = rounding::near(lanes, exact, magnitude);
+        let normal = self.normal(lanes);
+        let t = self.parameter(lanes, probe, normal) as f32;
+        let length = lanes.exact_dot(normal, normal).sqrt();
+        let ng = if length > 0.0 && length < f64::INFINITY {
+            lanes.exact_scale(normal, 1.0 / length)
+        } else {
+            lanes.exact([0.0, 0.0, 1.0])
+        };
+        let ns = match shapes.corner_normals(self.primitive.index()) {
+            None => lanes.exact_round(ng).into(),
+            Some(normals) => shading_normal(lanes.exact_store(ng), normals, [u, v, w]),
+        };
+        let point = Point { position, error, ng: lanes.exact_round(ng).into() };
+        (Surface { point, ns, uv: Vec2::new(v as f32, w as f32) }, t)
+    }
 }
 
 /// The mean of the corners' normals, on the side of the geometric one.
-fn shading_normal(ng: Exact, [a, b, c]: [DVec3; 3], [u, v, w]: [f64; 3]) -> Vec3 {
+fn shading_normal(ng: [f64; 3], [a, b, c]: [DVec3; 3], [u, v, w]: [f64; 3]) -> Vec3 {
+    let ng = DVec3::from_array(ng);
     let n = (u * a + v * b + w * c).normalize_or_zero();
-    match ng.dot(n.into()) {
+    match ng.dot(n) {
         cos if cos > 0.0 => n.as_vec3(),
         cos if cos < 0.0 => -n.as_vec3(),
-        _ => ng.to_f32(),
+        _ => ng.as_vec3(),
     }
+}
+
+/// Normal by the corners' order, not of unit length.
+pub(super) fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a)
+}
+
+/// What [`Face::meet`] says, by plain instructions.
+#[cfg(test)]
+pub(super) fn meet(probe: &Probe, corners: [DVec3; 3], inside: bool) -> Option<f32> {
+    let corners = corners.map(|corner| corner.as_vec3().to_array());
+    let face = Face { corners, primitive: Primitive::from_bits(0), owner: Owner::default() };
+    face.meet(super::lanes::Portable, probe, inside)
 }
 
 /// The box of the three corners.

@@ -17,7 +17,7 @@ use super::node::{Below, Child, Node};
 use super::ray::Probe;
 use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
-use super::{disk, sphere, triangle};
+use super::{disk, sphere};
 
 /// 16u, u = 2⁻²⁴: more than near, far and the best t can be apart by rounding, for their size.
 const WIDEN: f32 = 1.0 + 8.0 * f32::EPSILON;
@@ -83,13 +83,13 @@ pub(super) fn walk<L: Lanes, const ANY: bool>(
                 }
             }
             Below::Block(number) => {
-                if meet_block::<L, ANY>(lanes, &tree.blocks[number], shapes, probe, best) {
+                if meet_block::<L, ANY>(lanes, tree, &tree.blocks[number], probe, best) {
                     return;
                 }
             }
             Below::Round(primitive) => {
                 if let Some(t) = meet_round(shapes, probe, primitive) {
-                    best.settle(probe, shapes);
+                    best.settle(lanes, &tree.faces, probe);
                     best.offer(t, primitive);
                     if ANY && best.primitive.is_some() {
                         return;
@@ -128,8 +128,8 @@ fn split(entry: u64) -> (f32, Child) {
 #[inline(always)]
 fn meet_block<L: Lanes, const ANY: bool>(
     lanes: L,
+    tree: &Tree,
     block: &Block,
-    shapes: &Shapes,
     probe: &Probe,
     best: &mut Best,
 ) -> bool {
@@ -142,26 +142,31 @@ fn meet_block<L: Lanes, const ANY: bool>(
     while possible != 0 {
         let lane = (possible.trailing_zeros() as usize) % LANES;
         possible &= possible - 1;
-        let primitive = block.primitive(lane);
+        let number = block.first as usize + lane;
         let inside = candidates.inside & (1 << lane) != 0;
-        if inside && most[lane] < 0.0 {
+        let between = [least[lane], most[lane]];
+        if inside && between[1] < 0.0 {
             continue;
         }
-        if inside && least[lane] > 0.0 {
-            if ANY && most[lane] < best.t {
-                best.primitive = Some(primitive);
+        if inside && between[0] > 0.0 {
+            if !ANY {
+                best.offer_within(lanes, between, (&tree.faces, number), probe);
+                continue;
+            }
+            if between[1] < best.t {
+                best.primitive = Some(tree.faces[number].primitive);
                 return true;
             }
-            best.offer_within([least[lane], most[lane]], primitive, probe, shapes);
-        } else {
-            let corners = shapes.exact_corners(primitive.index());
-            if let Some(t) = triangle::meet(probe, corners, inside) {
-                best.settle(probe, shapes);
-                best.offer(t, primitive);
+            if between[0] > best.t {
+                continue;
             }
         }
-        if ANY && best.primitive.is_some() {
-            return true;
+        if let Some(t) = tree.faces[number].meet(lanes, probe, inside) {
+            best.settle(lanes, &tree.faces, probe);
+            best.offer_face(t, tree.faces[number].primitive, number as u32);
+            if ANY && best.primitive.is_some() {
+                return true;
+            }
         }
     }
     false
