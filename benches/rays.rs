@@ -1,99 +1,131 @@
-//! How many million rays a second one thread traces against a bumpy closed mesh of 82k triangles
-//! standing in an open box: camera rays, diffuse bounces, shadow rays.
+//! How many rays a second one thread traces against the bunny standing in a box without its front:
+//! rays of a camera, cosine-distributed rays from where they end, and shadow rays from there to a
+//! lamp; by the processor's best instructions and by plain ones. And how long the tree takes.
 //!
 //! `cargo bench --bench rays`
 
-use std::hint::black_box;
-use std::time::Instant;
+use std::sync::LazyLock;
 
+use divan::counter::ItemsCount;
+use divan::{Bencher, black_box};
 use glam::{DVec3, Vec2, Vec3};
 use scn::math::{random, warp};
 use scn::render::geometry::{Geometry, Hit, Owner, Point, Ray, Shapes, Triangle, between};
 
-const SIDE: u32 = 1000;
-const PASSES: u32 = 5;
+/// Rays of the camera along each side of its picture.
+const SIDE: u32 = 300;
+
+/// Half the box's side; the bunny is 1 tall or wide.
+const HALF: f32 = 0.7;
 
 fn main() {
-    let shapes = scene();
-    let start = Instant::now();
-    let geometry = Geometry::build(shapes);
-    println!("built in {:.3} s, {:.1} MB", seconds(start), geometry.bytes() as f64 / 1e6);
-
-    let camera = |i: u32| {
-        let (x, y) = ((i % SIDE) as f32 + 0.5, (i / SIDE) as f32 + 0.5);
-        let film = Vec3::new(x / SIDE as f32 - 0.5, 0.5 - y / SIDE as f32, -1.2);
-        Ray::new(Vec3::new(0.0, 0.3, 3.2), film.normalize())
-    };
-    let first: Vec<Ray> = (0..SIDE * SIDE).map(camera).collect();
-    let hits = closest("camera", &geometry, &first);
-
-    let bounce = |(i, hit): (u32, &Hit)| {
-        let u = Vec2::from(random::unit_pair(random::mix(u64::from(i))).map(random::unit_f32));
-        let up = warp::square_to_sphere(u) + hit.ng * if hit.ng.z < 0.0 { -1.0 } else { 1.0 };
-        hit.ray(up.normalize_or(hit.ng))
-    };
-    let second: Vec<Ray> = (0..).zip(&hits).map(bounce).collect();
-    closest("diffuse", &geometry, &second);
-
-    let shadow = |(i, hit): (u32, &Hit)| {
-        let [x, z] = random::unit_pair(random::mix(u64::from(i) + (1 << 40)));
-        let lamp = DVec3::new(x - 0.5, 1.9, z - 0.5);
-        between(&hit.point(), &Point::free(lamp.as_vec3()))
-    };
-    let shadows: Vec<Ray> = (0..).zip(&hits).map(shadow).collect();
-    report("shadow", &shadows, |ray| geometry.occluded(ray));
+    divan::main();
 }
 
-fn closest(name: &str, geometry: &Geometry, rays: &[Ray]) -> Vec<Hit> {
-    report(name, rays, |ray| black_box(geometry.closest(ray)).is_some());
-    rays.iter().filter_map(|ray| geometry.closest(ray)).collect()
+/// What rays are met by.
+const PORTABLE: [bool; 2] = [false, true];
+
+struct Scene {
+    geometry: [Geometry; 2],
+    primary: Vec<Ray>,
+    diffuse: Vec<Ray>,
+    shadow: Vec<Ray>,
 }
 
-/// The best of several passes: what else the machine does only ever slows one down.
-fn report(name: &str, rays: &[Ray], meets: impl Fn(&Ray) -> bool) {
-    let mut best = f64::INFINITY;
-    let mut met = 0;
-    for _ in 0..PASSES {
-        let start = Instant::now();
-        met = rays.iter().filter(|ray| meets(black_box(ray))).count();
-        best = best.min(seconds(start));
-    }
-    let rate = rays.len() as f64 / best / 1e6;
-    let part = met as f64 / rays.len() as f64 * 100.0;
-    println!("{name:8} {rate:6.2} M rays/s, {part:.0} % meet something");
+static SCENE: LazyLock<Scene> = LazyLock::new(|| {
+    let geometry = PORTABLE.map(|portable| Geometry::build(shapes()).with_portable(portable));
+    let primary: Vec<Ray> = (0..SIDE * SIDE).map(camera).collect();
+    let hits: Vec<(Ray, Hit)> =
+        primary.iter().filter_map(|ray| Some((*ray, geometry[0].closest(ray)?))).collect();
+    let diffuse = (0..).zip(&hits).map(bounce).collect();
+    let shadow = (0..).zip(&hits).map(to_lamp).collect();
+    Scene { geometry, primary, diffuse, shadow }
+});
+
+#[divan::bench]
+fn build(bencher: Bencher) {
+    bencher.with_inputs(shapes).bench_local_values(Geometry::build);
 }
 
-fn seconds(start: Instant) -> f64 {
-    start.elapsed().as_secs_f64()
+#[divan::bench(args = PORTABLE)]
+fn primary(bencher: Bencher, portable: bool) {
+    closest(bencher, portable, &SCENE.primary);
 }
 
-/// A sphere with bumps by longitude and latitude, in a box without its front.
-fn scene() -> Shapes {
-    const AROUND: u32 = 288;
-    const DOWN: u32 = 144;
+#[divan::bench(args = PORTABLE)]
+fn diffuse(bencher: Bencher, portable: bool) {
+    closest(bencher, portable, &SCENE.diffuse);
+}
+
+#[divan::bench(args = PORTABLE)]
+fn shadow(bencher: Bencher, portable: bool) {
+    let (geometry, rays) = (&SCENE.geometry[usize::from(portable)], &SCENE.shadow);
+    bencher
+        .counter(ItemsCount::new(rays.len()))
+        .bench_local(|| rays.iter().filter(|ray| geometry.occluded(black_box(ray))).count());
+}
+
+fn closest(bencher: Bencher, portable: bool, rays: &[Ray]) {
+    let geometry = &SCENE.geometry[usize::from(portable)];
+    bencher.counter(ItemsCount::new(rays.len())).bench_local(|| {
+        rays.iter().filter(|ray| black_box(geometry.closest(black_box(ray))).is_some()).count()
+    });
+}
+
+fn camera(i: u32) -> Ray {
+    let side = SIDE as f32;
+    let (x, y) = ((i % SIDE) as f32 + 0.5, (i / SIDE) as f32 + 0.5);
+    let film = Vec3::new(x / side - 0.5, 0.5 - y / side, -1.2);
+    Ray::new(Vec3::new(0.0, 0.1, 2.2), film.normalize())
+}
+
+fn bounce((i, (ray, hit)): (u64, &(Ray, Hit))) -> Ray {
+    let u = Vec2::from(random::unit_pair(random::mix(i)).map(random::unit_f32));
+    let front = if hit.ng.dot(ray.direction) > 0.0 { -hit.ng } else { hit.ng };
+    hit.ray((warp::square_to_sphere(u) + front).normalize_or(front))
+}
+
+fn to_lamp((i, (_, hit)): (u64, &(Ray, Hit))) -> Ray {
+    let [x, z] = random::unit_pair(random::mix(i + (1 << 40)));
+    let lamp = DVec3::new(0.4 * (x - 0.5), f64::from(HALF) - 0.01, 0.4 * (z - 0.5));
+    between(&hit.point(), &Point::free(lamp.as_vec3()))
+}
+
+fn shapes() -> Shapes {
     let mut shapes = Shapes::new();
     let owner = Owner::default();
-    let mut corner = |i: u32, j: u32| {
-        let (sin, cos) = (f64::from(j) / f64::from(DOWN) * std::f64::consts::PI).sin_cos();
-        let (y, x) = (f64::from(i) / f64::from(AROUND) * std::f64::consts::TAU).sin_cos();
-        let p = DVec3::new(x * sin, cos, y * sin);
-        let waves = (9.0 * p.x).sin() * (11.0 * p.y + 1.0).sin() * (7.0 * p.z + 2.0).cos();
-        shapes.vertex((p * (0.7 + 0.2 * waves)).as_vec3())
-    };
-    let grid: Vec<Vec<u32>> =
-        (0..=DOWN).map(|j| (0..AROUND).map(|i| corner(i, j)).collect()).collect();
-    for j in 0..DOWN as usize {
-        for i in 0..AROUND as usize {
-            let next = (i + 1) % AROUND as usize;
-            let (a, b, c, d) = (grid[j][i], grid[j][next], grid[j + 1][next], grid[j + 1][i]);
-            shapes.triangle(Triangle { corners: [a, b, c], normals: None, owner });
-            shapes.triangle(Triangle { corners: [a, c, d], normals: None, owner });
-        }
-    }
-    let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| 2.0 * axis);
+    bunny(&mut shapes, owner);
+    let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| HALF * axis);
     for (at, u, v) in [(-x, y, z), (x, z, y), (-y, z, x), (y, x, z), (-z, x, y)] {
         let corners = [-u - v, u - v, u + v, v - u].map(|side| shapes.vertex(at + side));
         shapes.quad(corners, owner);
     }
     shapes
+}
+
+/// The bunny, 1 at its longest, on the floor.
+fn bunny(shapes: &mut Shapes, owner: Owner) {
+    let text = include_str!("../models/bunny.obj");
+    let rest = |kind: &'static str| text.lines().filter_map(move |line| line.strip_prefix(kind));
+    let positions: Vec<Vec3> = rest("v ")
+        .map(|line| {
+            let mut numbers = line.split_whitespace().filter_map(|word| word.parse().ok());
+            Vec3::from_array(std::array::from_fn(|_| numbers.next().unwrap_or(0.0)))
+        })
+        .collect();
+    let low = positions.iter().copied().fold(Vec3::INFINITY, Vec3::min);
+    let high = positions.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
+    let (middle, scale) = ((low + high) / 2.0, 1.0 / (high - low).max_element());
+    let floor = Vec3::new(0.0, scale * (high.y - low.y) / 2.0 - HALF, 0.0);
+    for p in &positions {
+        shapes.vertex((*p - middle) * scale + floor);
+    }
+    for line in rest("f ") {
+        let index = |word: &str| word.split('/').next()?.parse::<u32>().ok()?.checked_sub(1);
+        let corners: Vec<u32> = line.split_whitespace().filter_map(index).collect();
+        for k in 1..corners.len().saturating_sub(1) {
+            let corners = [corners[0], corners[k], corners[k + 1]];
+            shapes.triangle(Triangle { corners, normals: None, owner });
+        }
+    }
 }

@@ -78,9 +78,10 @@ impl Block {
         };
         for (lane, face) in faces.iter().enumerate() {
             for (k, corner) in face.corners.into_iter().enumerate() {
-                for axis in 0..3 {
-                    let from_low = f64::from(corner[axis]) - f64::from(block.low[axis]);
-                    block.corners[axis][k][lane] = (from_low / quantum).round() as u16;
+                let from_low = Vec3::from_array(corner).as_dvec3() - low.as_dvec3();
+                let whole = (from_low / quantum).round().to_array();
+                for (all, coordinate) in block.corners.iter_mut().zip(whole) {
+                    all[k][lane] = coordinate as u16;
                 }
             }
         }

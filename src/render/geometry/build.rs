@@ -73,7 +73,8 @@ impl Tree {
             order: Vec::new(),
         };
         collapse.root();
-        let Collapse { mut nodes, leaves, order, .. } = collapse;
+        let Collapse { mut nodes, leaves, order, clusters, weights, .. } = collapse;
+        drop((clusters, weights));
         tree.faces = order.par_iter().with_min_len(GRAIN).map(|p| Face::new(shapes, *p)).collect();
         let fill = |leaf: &Leaf| Block::new(leaf.first, &tree.faces[leaf.range()]);
         tree.blocks = leaves.par_iter().with_min_len(GRAIN / LANES).map(fill).collect();
@@ -254,7 +255,7 @@ impl Collapse<'_> {
         self.clusters.nodes[cluster].is_leaf() || self.weights[cluster] <= LANES as u32
     }
 
-    /// Up to eight clusters that make up one: the largest is opened first.
+    /// Up to eight clusters that make up one, the largest last: those are opened first.
     fn open(&self, cluster: usize) -> Vec<usize> {
         let mut parts = Vec::with_capacity(LANES);
         parts.push(cluster);
@@ -268,6 +269,8 @@ impl Collapse<'_> {
             parts[largest] = first;
             parts.push(first + 1);
         }
+        let area = |at: &usize| self.clusters.nodes[*at].aabb().half_area();
+        parts.sort_by(|i, j| area(i).total_cmp(&area(j)));
         parts
     }
 

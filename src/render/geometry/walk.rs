@@ -50,7 +50,8 @@ pub(super) fn walk<L: Lanes, const ANY: bool>(
                 let node = &tree.nodes[number];
                 let (near, mut met) = slabs.meet(lanes, node, best.t);
                 if met != 0 {
-                    let near = lanes.store(near);
+                    // Where any meeting will do, the largest come first: they are the last lanes.
+                    let near = if ANY { [0.0; LANES] } else { lanes.store(near) };
                     let mut next = || {
                         let lane = (met.trailing_zeros() as usize) % LANES;
                         met &= met - 1;
@@ -62,7 +63,7 @@ pub(super) fn walk<L: Lanes, const ANY: bool>(
                     while more {
                         let mut farther;
                         (farther, more) = next();
-                        if farther < nearest {
+                        if ANY || farther < nearest {
                             (nearest, farther) = (farther, nearest);
                         }
                         let mut at = waiting;
@@ -105,7 +106,7 @@ pub(super) fn walk<L: Lanes, const ANY: bool>(
             waiting -= 1;
             // SAFETY: all below `waiting` has been written.
             let (near, child) = split(unsafe { stack[waiting].assume_init() });
-            if near <= limit {
+            if ANY || near <= limit {
                 current = child;
                 break;
             }
