@@ -31,8 +31,9 @@ const ALL: u32 = (1 << LANES) - 1;
 /// How far c may be from the middle of the cube, with some quanta to spare.
 const REACH: f32 = 1.5 * SIDE + 8.0;
 
-/// Beyond so many quanta away (2⁴⁰) even f64 may be off by some: all is left to triangle.rs.
-const FAR: f32 = 1_099_511_627_776.0;
+/// Where the origin is so many quanta (2⁴⁵) from that of the world, or from the block, f64 is off by
+/// a tenth of one: all is left to triangle.rs.
+const FAR: f32 = 35_184_372_088_832.0;
 
 /// The least quantum, 2⁻¹⁰⁰ world units, so that nothing underflows. The greatest, of corners as far
 /// apart as f32 has them, is 2¹¹³.
@@ -99,7 +100,7 @@ impl Block {
         let (cx, cy) = (cx as f32, cy as f32);
         let depth = (probe.near_depth[0] - self.low[z]) * per_unit;
         let nothing = [lanes.splat(0.0); 2];
-        if depth.abs() >= FAR {
+        if depth.abs() + probe.size * per_unit >= FAR {
             return Candidates { possible: self.scale & ALL, inside: 0, between: nothing };
         }
         if (cx - SIDE / 2.0).abs() > REACH || (cy - SIDE / 2.0).abs() > REACH {

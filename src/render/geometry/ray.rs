@@ -134,6 +134,8 @@ pub(super) struct Probe {
     pub near_shear: [f32; 2],
     /// The origin's depth, and the parameter per unit of depth.
     pub near_depth: [f32; 2],
+    /// The origin's greatest coordinate, without its sign.
+    pub size: f32,
 }
 
 impl Probe {
@@ -159,6 +161,7 @@ impl Probe {
             ],
             near_shear: [shear[0] as f32, shear[1] as f32],
             near_depth: [ray.origin[z], 1.0 / ray.direction[z]],
+            size: Vec3A::from(ray.origin).abs().max_element(),
         }
     }
 
