@@ -143,6 +143,44 @@ pub(super) fn raw_reflected(table: &Table) -> [f64; 3] {
     (eye.to_rgb * (DVec3::from_array(xyz) / eye.width)).to_array().map(|channel| channel * size)
 }
 
+/// What the values of a table of reflectances are worth at these wavelengths, at least one and
+/// ascending: the sum of values times weights is the colour of the table as [`reflected`] has it
+/// before channels are cut off.
+pub fn weights(nm: &[f64]) -> Vec<[f64; 3]> {
+    let eye = eye();
+    let mut found = vec![DVec3::ZERO; nm.len()];
+    let ends = Table::new(nm.iter().map(|nm| (*nm, 0.0)).collect()).expect("wavelengths rise");
+    let observed = cie::observer();
+    let (first, last) = (observed[0][0], observed[observed.len() - 1][0]);
+    let mut all = union(&[&ends, &eye.white, &eye.observer[1]]);
+    all.retain(|nm| (first..=last).contains(nm));
+    all.insert(0, first);
+    all.push(last);
+    let seen = |nm: f64| {
+        let xyz = DVec3::from_array(std::array::from_fn(|i| eye.observer[i].at(nm)));
+        xyz * (eye.white.at(nm) / eye.width)
+    };
+    for ends in all.windows(2) {
+        let (a, b) = (ends[0], ends[1]);
+        let middle = 0.5 * (a + b);
+        // Simpson's rule, whose factors are straight lines between a and b.
+        for (at, part) in [(a, 1.0), (middle, 4.0), (b, 1.0)] {
+            let after = nm.partition_point(|nm| *nm <= middle);
+            let share = (b - a) / 6.0 * part * seen(at);
+            match (after.checked_sub(1), nm.get(after)) {
+                (Some(before), Some(end)) => {
+                    let t = (at - nm[before]) / (end - nm[before]);
+                    found[before] += (1.0 - t) * share;
+                    found[after] += t * share;
+                }
+                (Some(before), None) => found[before] += share,
+                (None, _) => found[0] += share,
+            }
+        }
+    }
+    found.into_iter().map(|xyz| (eye.to_rgb * xyz).to_array()).collect()
+}
+
 /// Linear sRGB of a light, in its own unit. A number is white. A light that is more saturated than
 /// sRGB can show keeps its luminance: negative channels become zero, the others less.
 pub fn emitted(light: &Spectrum) -> [f64; 3] {
@@ -268,6 +306,25 @@ mod tests {
         // Beyond sRGB: of its luminance all the same.
         let blue = of_chromaticity(5.0, 0.1, 0.1);
         assert!(blue[0] == 0.0 && (super::luminance(blue) - 5.0).abs() < 1e-12, "{blue:?}");
+    }
+
+    #[test]
+    fn weighed_values_are_the_colour_of_their_table() {
+        let tables: [&[(f64, f64)]; 4] = [
+            &[(450.0, 0.3), (555.5, 0.9), (700.0, 0.1)],
+            &[(300.0, 0.2), (381.0, 0.7), (500.0, 0.0), (501.0, 1.0), (900.0, 0.4)],
+            &[(600.0, 0.5)],
+            &[(800.0, 0.25), (900.0, 1.0)],
+        ];
+        for rows in tables {
+            let nm: Vec<f64> = rows.iter().map(|row| row.0).collect();
+            let mut sum = DVec3::ZERO;
+            for (row, weight) in rows.iter().zip(weights(&nm)) {
+                sum += row.1 * DVec3::from_array(weight);
+            }
+            let expected = raw_reflected(&Table::new(rows.to_vec()).unwrap());
+            near(&sum.to_array(), &expected, 1e-12);
+        }
     }
 
     #[test]

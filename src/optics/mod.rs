@@ -1,12 +1,13 @@
 //! Pure physics in f64: what spectra are worth, and what an eye makes of them.
 //!
-//! Wavelengths are in nanometres. Fresnel's equations and scattering by spheres come with the
-//! worksheets that need them.
+//! Wavelengths are in nanometres. Scattering by spheres comes with the worksheets that need it.
 
 pub mod blackbody;
 pub mod colour;
 pub mod daylight;
 pub mod dispersion;
+pub mod fresnel;
+pub mod metal;
 mod upsampling;
 pub mod water;
 
