@@ -56,7 +56,7 @@ fn still_life(integrator: Integrator) -> Hand {
         .material("floor", 0.7, 0.0)
         .material("lamp", 0.2, 12.0)
         .glass("glass", 1.5)
-        .made_of("silver", mirror(0.9))
+        .mirror("silver", 0.9)
         .quad(DVec3::ZERO, DVec3::X * 3.0, DVec3::Y * 3.0, "floor")
         .sphere(DVec3::new(-0.8, 0.0, 0.5), 0.5, "silver")
         .sphere(DVec3::new(0.8, 0.0, 0.5), 0.5, "glass")
@@ -64,11 +64,6 @@ fn still_life(integrator: Integrator) -> Hand {
         .background(0.3)
         .camera(DVec3::new(0.0, -3.0, 1.2), DVec3::new(0.0, 0.0, 0.4), 50.0)
         .size(24, 18)
-}
-
-fn mirror(reflectance: f64) -> scene::Material {
-    let reflectance = scene::Reflectance(scn::math::Spectrum::Constant(reflectance));
-    scene::Material::Mirror(scene::Mirror { reflectance: at(scene::Textured::Plain(reflectance)) })
 }
 
 /// Seen, lit, caustics, mirrored; and the rest.

@@ -4,6 +4,7 @@
 mod by_hand;
 
 use glam::{DQuat, DVec3};
+use scn::math::Spectrum;
 use scn::measure::statistics::{Moments, welch};
 use scn::scene::{self, Depth, Integrator, LightCount, Roulette, Sides};
 
@@ -51,17 +52,11 @@ fn still_life(integrator: Integrator) -> Moments {
 /// The same, each point moved and each length scaled.
 fn mapped(integrator: Integrator, to: impl Fn(DVec3) -> DVec3, scale: f64) -> Hand {
     let way = |v: DVec3| to(v) - to(DVec3::ZERO);
-    let gold = scene::Conductor {
-        ior: at(scene::Index {
-            n: scn::math::Spectrum::Constant(0.4),
-            k: scn::math::Spectrum::Constant(2.4),
-        }),
-    };
     Hand::new(integrator)
         .material("floor", 0.7, 0.0)
         .material("lamp", 0.2, 12.0)
         .glass("glass", 1.5)
-        .made_of("gold", scene::Material::Conductor(gold))
+        .metal("gold", Spectrum::Constant(0.4), Spectrum::Constant(2.4))
         .quad(to(DVec3::ZERO), way(DVec3::X * 3.0), way(DVec3::Y * 3.0), "floor")
         .sphere(to(DVec3::new(-0.8, 0.0, 0.5)), 0.5 * scale, "gold")
         .sphere(to(DVec3::new(0.8, 0.0, 0.5)), 0.5 * scale, "glass")

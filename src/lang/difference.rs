@@ -226,7 +226,7 @@ impl Composer<'_> {
             }
             Type::Reference { kind, target } | Type::Textured { kind, target, .. } => {
                 match &value.kind {
-                    ValueKind::Record(_) => self.change(value, target, parts, new, path, place),
+                    ValueKind::Record(_) => self.change(value, &target(), parts, new, path, place),
                     _ => {
                         let name = match &value.kind {
                             ValueKind::Word(word) => word.text.to_string(),

@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use super::ast::Word;
 use super::check::{Checker, Declared, Item, default_value};
-use super::defaults;
+use super::errors::{name as names, types};
 use super::eval::Evaluator;
+use super::{defaults, limits};
 use crate::diag::{FileId, Span};
 use crate::scene::schema::{Checked, Kind, Type};
 use crate::scene::{At, KINDS, Scene};
@@ -61,6 +62,7 @@ pub fn lower(
         }
     }
     items.extend(checker.into_hoisted());
+    whole &= circles(ev, &items);
     let faultless = whole && missing.is_empty() && ev.reports.errors() == before;
     let scene = faultless.then(|| Scene::lower(&needed(items)));
     Lowered { scene, missing }
@@ -90,8 +92,8 @@ fn needed(items: Vec<Item>) -> Vec<Item> {
         let (kind, _, checked) = &items[at];
         let kind = KINDS.iter().find(|known| known.word == *kind).expect("a kind of the schema");
         let mut names = Vec::new();
-        named(&checked.value, &kind.ty, &mut names);
-        open.extend(names.iter().filter_map(|key| index.get(key)));
+        named(checked, &kind.ty, &mut names);
+        open.extend(names.iter().filter_map(|(key, _)| index.get(key)));
     }
     drop(index);
     let mut kept = kept.into_iter();
@@ -110,26 +112,98 @@ pub fn references(ty: &Type) -> Vec<&'static str> {
     records.iter().flat_map(|record| record.fields).flat_map(|f| references(&f.ty)).collect()
 }
 
+/// Whether no declaration refers to others that lead back to it. Those that do are told, and
+/// so are chains that are too long.
+fn circles(ev: &Evaluator, items: &[Item]) -> bool {
+    let mut walk = Walk {
+        ev,
+        items,
+        index: items
+            .iter()
+            .enumerate()
+            .map(|(i, (kind, name, _))| ((*kind, &*name.value), i))
+            .collect(),
+        known: vec![Known::Nothing; items.len()],
+        good: true,
+    };
+    (0..items.len()).for_each(|i| walk.look(i, 1));
+    walk.good
+}
+
+/// What is known of a declaration.
+#[derive(Clone, Copy, PartialEq)]
+enum Known {
+    Nothing,
+    /// It is being looked into.
+    Open,
+    /// No declarations in a longer chain lead on from it.
+    Chain(usize),
+}
+
+/// A walk along references.
+struct Walk<'a> {
+    ev: &'a Evaluator<'a>,
+    items: &'a [Item],
+    index: HashMap<(&'static str, &'a str), usize>,
+    known: Vec<Known>,
+    good: bool,
+}
+
+impl Walk<'_> {
+    /// Looks into a declaration, the last of a chain of so many.
+    fn look(&mut self, at: usize, depth: usize) {
+        let (word, _, checked) = &self.items[at];
+        let kind = KINDS.iter().find(|kind| kind.word == *word).expect("a kind of the schema");
+        let mut names = Vec::new();
+        named(checked, &kind.ty, &mut names);
+        self.known[at] = Known::Open;
+        let mut longest = 1;
+        for ((kind, name), span) in names {
+            let Some(next) = self.index.get(&(kind, name)).copied() else { continue };
+            match self.known[next] {
+                Known::Open => {
+                    let word = Word { text: Arc::from(name), span };
+                    self.ev.reports.tell(names::circle_of(kind, &word));
+                    self.good = false;
+                }
+                Known::Nothing if depth < limits::DEPTH => self.look(next, depth + 1),
+                Known::Chain(length) if depth + length <= limits::DEPTH => {}
+                _ => {
+                    self.ev.reports.tell(types::too_deep(span));
+                    self.good = false;
+                }
+            }
+            if let Known::Chain(length) = self.known[next] {
+                longest = longest.max(length + 1);
+            }
+        }
+        self.known[at] = Known::Chain(longest);
+    }
+}
+
+/// A declaration that is named: its kind and name, and where.
+type Mention<'c> = ((&'static str, &'c str), Span);
+
 /// The declarations that a checked value names.
-fn named<'c>(checked: &'c Checked, ty: &Type, found: &mut Vec<(&'static str, &'c str)>) {
+fn named<'c>(checked: &'c At<Checked>, ty: &Type, found: &mut Vec<Mention<'c>>) {
     let mut all = |fields: &'c [At<Checked>], record: &'static crate::scene::schema::Record| {
         for (field, schema) in fields.iter().zip(record.fields) {
-            named(&field.value, &schema.ty, found);
+            named(field, &schema.ty, found);
         }
     };
-    match (checked, ty) {
+    match (&checked.value, ty) {
         (Checked::Reference(name), Type::Reference { kind, .. } | Type::Textured { kind, .. }) => {
-            found.push((kind, name))
+            found.push(((kind, name), checked.span));
         }
         (Checked::Variant(which, fields), Type::OneOf(variants)) => {
             all(fields, &variants.all[*which])
         }
         (Checked::Record(fields), Type::Record(record)) => all(fields, record),
         (Checked::List(elements), Type::List(inner)) => {
-            elements.iter().for_each(|element| named(&element.value, inner, found));
+            elements.iter().for_each(|element| named(element, inner, found));
         }
         (Checked::Map(entries), Type::Map(inner)) => {
-            entries.iter().for_each(|(_, value)| named(&value.value, inner, found));
+            entries.iter().for_each(|(_, value)| named(value, inner, found));
         }
         _ => {}
     }

@@ -15,6 +15,8 @@ pub(super) struct Thing<'a> {
     pub body: Body<'a>,
     /// Materials of its slots; all but meshes have one.
     pub materials: Vec<&'a Named<Material>>,
+    /// What they are made of: parts of mixtures, and those that are none.
+    pub parts: Vec<&'a Named<Material>>,
     /// The box around it; empty for a plane.
     bounds: Bounds,
 }
@@ -58,9 +60,11 @@ fn thing<'a>(
         Some(material) => vec![scene.material(material)],
         None => staged?.materials.iter().collect(),
     };
+    let parts = materials.iter().flat_map(|material| scene.parts(material));
+    let parts = parts.map(|(_, part)| part).collect();
     let body = map.is_invertible().then(|| body(&object.value, staged, map))??;
     let bounds = body.bounds();
-    let thing = Thing { object, body, materials, bounds };
+    let thing = Thing { object, body, materials, parts, bounds };
     thing.is_finite().then_some(thing)
 }
 
@@ -130,7 +134,7 @@ impl Body<'_> {
 impl Thing<'_> {
     /// Whether light goes through some part of it.
     pub fn transmits(&self) -> bool {
-        self.materials.iter().any(|material| material.value.transmits())
+        self.parts.iter().any(|part| part.value.transmits())
     }
 
     /// Its name.
@@ -152,7 +156,7 @@ impl Thing<'_> {
 
     /// Whether any of its surface shines.
     pub fn shines(&self) -> bool {
-        self.materials.iter().any(|material| shines(material))
+        self.parts.iter().any(|part| shines(part))
     }
 
     /// The box around it; empty for a plane.

@@ -11,7 +11,8 @@ use crate::scene::{self, At, Light, Material, Named, Object, SunForm};
 
 /// The surfaces and lights of a stage.
 pub(super) struct Survey<'a> {
-    /// One for each object and each of its materials that is in use.
+    /// One for each object and each of its materials that is in use; of a mixture its parts, as if
+    /// each were all of the surface.
     pub surfaces: Vec<Surface<'a>>,
     /// Lights without extent that shine: directional ones, points, spots, and suns of skies that are
     /// a direction.
@@ -58,12 +59,13 @@ impl<'a> Survey<'a> {
                         }
                     }
                     let used = mesh.materials.iter().zip(used).filter(|(_, used)| *used);
-                    surfaces
-                        .extend(used.map(|(material, _)| Surface::new(stage, object, material)));
+                    let parts = used.flat_map(|(material, _)| scene.parts(material));
+                    surfaces.extend(parts.map(|(_, part)| Surface::new(stage, object, part)));
                     continue;
                 }
             };
-            surfaces.push(Surface::new(stage, object, scene.material(material)));
+            let parts = scene.parts(scene.material(material));
+            surfaces.extend(parts.into_iter().map(|(_, part)| Surface::new(stage, object, part)));
         }
         let lights = |wanted: fn(&Light) -> bool| {
             scene.lights.iter().filter(|light| wanted(&light.value)).collect()

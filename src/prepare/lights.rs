@@ -70,7 +70,8 @@ pub(super) fn unit(
         let channels = colour::emitted(shine.spectrum).map(|channel| scale * channel);
         brightest = brightest.max(largest(channels, shine.at, "light", &light.name));
     }
-    for material in bodies.iter().flat_map(|body| &body.materials) {
+    let materials = bodies.iter().flat_map(|body| &body.materials);
+    for (_, material) in materials.flat_map(|material| scene.parts(material)) {
         if let Some(albedo) = material.value.reflectance() {
             largest(plan::largest(stage, albedo), albedo.span, "albedo of", &material.name);
         }

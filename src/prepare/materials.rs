@@ -1,15 +1,18 @@
 //! Materials of the scene → materials of the world, with emission in light units.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
+use super::errors::scene as errors;
 use super::objects::Placed;
 use super::textures::Textures;
-use crate::diag::Span;
+use crate::diag::{Diagnostic, Span};
 use crate::load::Stage;
 use crate::math::{Rgb, Spectrum};
 use crate::optics::{self, colour};
-use crate::render::materials::{Conductor, Dielectric, Diffuse, Material, Mirror};
-use crate::scene::{self, Medium, Ref, Scene, Sides};
+use crate::render::materials::{
+    Conductor, Dielectric, Diffuse, Emission, Material, Mirror, Mixture, Surface,
+};
+use crate::scene::{self, Medium, Named, Ref, Scene, Sides};
 
 /// The materials in use.
 pub(super) struct Table {
@@ -21,24 +24,33 @@ pub(super) struct Table {
 
 /// Makes the table of all materials of these objects; a declaration is in it once, one that shines
 /// once for each object.
-pub(super) fn table(stage: &Stage, bodies: &[Placed], light_unit: f64) -> Table {
+pub(super) fn table(
+    stage: &Stage,
+    bodies: &[Placed],
+    light_unit: f64,
+    found: &mut Vec<Diagnostic>,
+) -> Table {
+    let scene = &*stage.scene;
     let mut textures = Textures::of(stage);
     let mut table = Table { all: Vec::new(), slots: BTreeMap::new() };
     // A material is known by the place of its declaration: its name alone may be used again by
     // another file of materials. One that shines makes a lamp of each object.
     let mut known: HashMap<(&str, Span, Option<u32>), u32> = HashMap::new();
+    let mut told: HashSet<(&str, Span)> = HashSet::new();
     for body in bodies {
         let mut slots = Vec::with_capacity(body.materials.len());
         for named in &body.materials {
+            let parts = scene.parts(named);
+            let place = (named.name.value.as_str(), named.value.span);
+            if told.insert(place) {
+                check(named, &parts, found);
+            }
+            let shines = parts.iter().any(|(_, part)| part.value.shines());
             let number = *known
-                .entry((
-                    named.name.value.as_str(),
-                    named.value.span,
-                    named.value.shines().then_some(body.number),
-                ))
+                .entry((place.0, place.1, shines.then_some(body.number)))
                 .or_insert(table.all.len() as u32);
             if number as usize == table.all.len() {
-                table.all.push(material(&mut textures, &named.value, light_unit));
+                table.all.push(material(&mut textures, named, &parts, light_unit));
             }
             slots.push(number);
         }
@@ -56,47 +68,81 @@ impl Table {
     /// The radiance of surfaces of this material, in light units, and whether both sides have it;
     /// None if they are no lamps.
     pub fn emission(&self, number: u32) -> Option<(Rgb, bool)> {
-        match &self.all[number as usize] {
-            Material::Diffuse(diffuse) if !diffuse.emission.is_black() => {
-                Some((diffuse.emission, diffuse.both))
-            }
-            _ => None,
-        }
+        let Emission { radiance, both } = self.all[number as usize].emission;
+        (!radiance.is_black()).then_some((radiance, both))
     }
 }
 
-fn material(textures: &mut Textures, material: &scene::Material, light_unit: f64) -> Material {
+/// What of a mixture cannot be: its parts are materials, and the part of each.
+fn check(mixture: &Named<scene::Material>, parts: &[Share], found: &mut Vec<Diagnostic>) {
+    let mut shining = parts.iter().filter(|(_, part)| part.value.shines());
+    if let Some((_, first)) = shining.next() {
+        let sides = |part: &Named<scene::Material>| part.value.glow().map(|(_, emits)| emits.value);
+        if let Some((_, other)) = shining.find(|(_, part)| sides(part) != sides(first)) {
+            found.push(errors::mixed_sides(mixture, first, other));
+        }
+    }
+    let dielectric = |(_, part): &Share| match &part.value.value {
+        scene::Material::Dielectric(dielectric) => {
+            Some((dielectric.inside.value.clone(), dielectric.outside.value.clone()))
+        }
+        _ => None,
+    };
+    let mut clear = parts.iter().filter(|part| dielectric(part).is_some());
+    if let Some(first) = clear.next()
+        && let Some(other) = clear.find(|other| dielectric(other) != dielectric(first))
+    {
+        found.push(errors::mixed_insides(mixture, first.1, other.1));
+    }
+}
+
+/// A material, and which part of a mixture it is.
+type Share<'a> = (f64, &'a Named<scene::Material>);
+
+fn material(
+    textures: &mut Textures,
+    named: &Named<scene::Material>,
+    parts: &[Share],
+    light_unit: f64,
+) -> Material {
+    let mut emission = Emission { radiance: Rgb::BLACK, both: false };
+    for (share, part) in parts {
+        if let Some((radiance, emits)) = part.value.glow() {
+            emission.radiance += in_units(&radiance.0.scaled(*share), light_unit);
+            emission.both |= part.value.shines() && emits.value == Sides::Both;
+        }
+    }
+    Material { surface: surface(textures, named), emission }
+}
+
+fn surface(textures: &mut Textures, material: &Named<scene::Material>) -> Surface {
     let scene = &*textures.stage.scene;
-    match material {
-        scene::Material::Conductor(conductor) => Material::Conductor(Conductor {
-            n: channels(&conductor.ior.n),
-            k: channels(&conductor.ior.k),
-        }),
-        scene::Material::Dielectric(dielectric) => Material::Dielectric(Dielectric {
+    match &material.value.value {
+        scene::Material::Conductor(conductor) => Surface::Conductor(metal(&conductor.ior)),
+        scene::Material::Dielectric(dielectric) => Surface::Dielectric(Dielectric {
             inside: index(scene, &dielectric.inside),
             outside: dielectric.outside.as_ref().map_or(1.0, |medium| index(scene, medium)),
         }),
-        scene::Material::Mirror(mirror) => {
-            Material::Mirror(Mirror { reflectance: textures.colour(&mirror.reflectance) })
+        scene::Material::Diffuse(diffuse) => {
+            Surface::Diffuse(Diffuse { albedo: textures.colour(&diffuse.albedo) })
         }
-        scene::Material::Diffuse(diffuse) => Material::Diffuse(Diffuse {
-            albedo: textures.colour(&diffuse.albedo),
-            emission: in_units(&diffuse.emission.0, light_unit),
-            both: diffuse.emits.value == Sides::Both,
-        }),
+        scene::Material::Mirror(mirror) => {
+            Surface::Mirror(Mirror { reflectance: textures.colour(&mirror.reflectance) })
+        }
+        scene::Material::Mix(_) => {
+            let parts = scene.parts(material).into_iter();
+            let part = |(share, part): Share| (share as f32, surface(textures, part));
+            Surface::Mixture(Mixture { parts: parts.map(part).collect() })
+        }
     }
 }
 
-/// A part of an index of refraction for each channel.
-fn channels(of: &Spectrum) -> [f32; 3] {
-    match of {
-        Spectrum::Rgb(channels) => channels.map(|channel| channel as f32),
-        other => PRIMARIES.map(|nm| optics::at(other, nm) as f32),
+fn metal(ior: &scene::Index) -> Conductor {
+    match optics::metal::by_angle(&ior.n, &ior.k) {
+        Some(table) => Conductor::Table(table.into_iter().map(as_f32).collect()),
+        None => Conductor::Channels { n: colour::reflected(&ior.n), k: colour::reflected(&ior.k) },
     }
 }
-
-/// Wavelengths in nm that look like the primaries of sRGB.
-const PRIMARIES: [f64; 3] = [611.4, 549.1, 464.3];
 
 /// The index of refraction of a medium at the middle of the visible range.
 fn index(scene: &Scene, medium: &Ref<Medium>) -> f64 {

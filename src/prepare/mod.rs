@@ -184,7 +184,7 @@ fn assemble(
     let space = space::Space::around(&bodies, &scene.camera);
     let light_unit = lights::unit(stage, &bodies, &space, &mut found);
     daylight::check(scene, &mut found);
-    let materials = materials::table(stage, &bodies, light_unit);
+    let materials = materials::table(stage, &bodies, light_unit, &mut found);
     let lights = lights::plain(scene, &space, light_unit, &mut found);
     let integrator = integrator::prepare(&scene.integrator, plan, space.length(1.0));
     integrator::check(&scene.integrator, &mut found);

@@ -1,7 +1,12 @@
 //! Materials: what a surface does with light.
 
+use std::collections::HashMap;
+
+use super::schema::Range;
 use super::vocabulary::vocabulary;
-use super::{At, Index, Medium, Radiance, Ref, Reflectance, Texture, Textured};
+use super::{
+    At, Index, Medium, Named, Number, Radiance, Ref, Reflectance, Scene, Texture, Textured,
+};
 
 vocabulary! {
     /// What a surface does with light.
@@ -10,6 +15,10 @@ vocabulary! {
         "conductor" => Conductor {
             /// Its index of refraction, `metal.gold` or `complex(n, k)`.
             ior: Index;
+            /// What it shines of itself. A surface with an emission is a lamp.
+            emission: Radiance = "0 W/m^2/sr";
+            /// Which of its sides shine.
+            emits: Sides = "front";
         }
         /// A smooth surface of clear matter, such as glass: reflects and refracts by Fresnel's
         /// formulas.
@@ -32,6 +41,20 @@ vocabulary! {
         "mirror" => Mirror {
             /// The part of the light that is given back.
             reflectance: Textured<Reflectance> = "1";
+            /// What it shines of itself. A surface with an emission is a lamp.
+            emission: Radiance = "0 W/m^2/sr";
+            /// Which of its sides shine.
+            emits: Sides = "front";
+        }
+        /// Two materials in one surface, too fine to be told apart: of every part of it, however
+        /// small, `amount` is the second, and the rest the first. It shines what they shine.
+        "mix" => Mix {
+            /// One of the two; it may be a mixture itself.
+            first: Ref<Material>;
+            /// The other.
+            second: Ref<Material>;
+            /// The part of the surface that is the second.
+            amount: Number, Range::between(0.0, 1.0);
         }
     }
 }
@@ -52,7 +75,7 @@ impl Material {
         match self {
             Self::Diffuse(diffuse) => Some(&diffuse.albedo),
             Self::Mirror(mirror) => Some(&mirror.reflectance),
-            Self::Conductor(_) | Self::Dielectric(_) => None,
+            Self::Conductor(_) | Self::Dielectric(_) | Self::Mix(_) => None,
         }
     }
 
@@ -61,15 +84,22 @@ impl Material {
         self.reflectance().and_then(|reflectance| reflectance.texture())
     }
 
-    /// What it shines of itself, if it can.
-    pub fn emission(&self) -> Option<&At<Radiance>> {
+    /// What it shines of itself, and on which sides, if that is a field of it.
+    pub fn glow(&self) -> Option<(&At<Radiance>, &At<Sides>)> {
         match self {
-            Self::Diffuse(diffuse) => Some(&diffuse.emission),
-            Self::Conductor(_) | Self::Dielectric(_) | Self::Mirror(_) => None,
+            Self::Conductor(conductor) => Some((&conductor.emission, &conductor.emits)),
+            Self::Diffuse(diffuse) => Some((&diffuse.emission, &diffuse.emits)),
+            Self::Mirror(mirror) => Some((&mirror.emission, &mirror.emits)),
+            Self::Dielectric(_) | Self::Mix(_) => None,
         }
     }
 
-    /// Whether it shines.
+    /// What it shines of itself, if that is a field of it.
+    pub fn emission(&self) -> Option<&At<Radiance>> {
+        self.glow().map(|(emission, _)| emission)
+    }
+
+    /// Whether it shines; what a mixture is made of is not looked at.
     pub fn shines(&self) -> bool {
         self.emission().is_some_and(|emission| !emission.0.is_zero())
     }
@@ -82,5 +112,47 @@ impl Material {
     /// Whether light leaves it in all directions, and not in one alone.
     pub fn scatters(&self) -> bool {
         matches!(self, Self::Diffuse(_))
+    }
+}
+
+/// Materials and the part of each.
+type Parts<'a> = Vec<(f64, &'a Named<Material>)>;
+
+impl Scene {
+    /// What a material is made of, and the part of each: of a mixture what is no mixture itself,
+    /// each once, in the order of their first mention, without those of which there is nothing; of
+    /// another material that alone.
+    pub fn parts<'a>(&'a self, material: &'a Named<Material>) -> Parts<'a> {
+        self.looked_up(material, &mut HashMap::new())
+    }
+
+    /// The same, with what is known of mixtures within it.
+    fn looked_up<'a>(
+        &'a self,
+        material: &'a Named<Material>,
+        known: &mut HashMap<&'a str, Parts<'a>>,
+    ) -> Parts<'a> {
+        let Material::Mix(mix) = &material.value.value else { return vec![(1.0, material)] };
+        let mut all: Parts = Vec::new();
+        for (share, name) in [(1.0 - mix.amount.0, &mix.first), (mix.amount.0, &mix.second)] {
+            if share == 0.0 {
+                continue;
+            }
+            let parts = match known.get(name.name.as_str()) {
+                Some(parts) => parts.clone(),
+                None => {
+                    let parts = self.looked_up(self.material(name), known);
+                    known.insert(&name.name, parts.clone());
+                    parts
+                }
+            };
+            for (part, material) in parts {
+                match all.iter_mut().find(|(_, other)| std::ptr::eq(*other, material)) {
+                    Some((sum, _)) => *sum += share * part,
+                    None => all.push((share * part, material)),
+                }
+            }
+        }
+        all
     }
 }

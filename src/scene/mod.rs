@@ -32,7 +32,7 @@ pub use light::{
     Constant, Directional, Light, NoSun, PointLight, Preetham, Shine, SpotLight, SunDirection,
     SunDisc, SunForm,
 };
-pub use material::{Conductor, Dielectric, Diffuse, Material, Mirror, Sides};
+pub use material::{Conductor, Dielectric, Diffuse, Material, Mirror, Mix, Sides};
 pub use medium::{Homogeneous, Medium};
 pub use object::{Disk, KaMeans, Mesh, Object, Plane, Quad, Sphere, Triangle};
 pub use paths::{Only, Paths};

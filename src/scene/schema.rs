@@ -37,7 +37,7 @@ pub enum Type {
         /// The word of the kind that textures are.
         kind: &'static str,
         /// The type of these.
-        target: &'static Type,
+        target: fn() -> Type,
     },
     /// An index of refraction, real or complex.
     Index,
@@ -59,8 +59,8 @@ pub enum Type {
     Reference {
         /// The kind's word.
         kind: &'static str,
-        /// Its type.
-        target: &'static Type,
+        /// Its type; asked for late, since a kind may refer to itself.
+        target: fn() -> Type,
     },
 }
 

@@ -314,7 +314,7 @@ impl<T> Serialize for Ref<T> {
 }
 
 impl<T: super::whole::KindOf + Vocabulary> Vocabulary for Ref<T> {
-    const TYPE: Type = Type::Reference { kind: T::WORD, target: &T::TYPE };
+    const TYPE: Type = Type::Reference { kind: T::WORD, target: || T::TYPE };
 
     fn lower(checked: &Checked) -> Self {
         match checked {

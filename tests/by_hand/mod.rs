@@ -197,6 +197,38 @@ impl Hand {
         self.made_of(name, scene::Material::Dielectric(dielectric))
     }
 
+    /// Metal of an index n + ik.
+    pub fn metal(self, name: &str, n: Spectrum, k: Spectrum) -> Self {
+        let conductor = scene::Conductor {
+            ior: at(scene::Index { n, k }),
+            emission: at(scene::Radiance(Spectrum::Constant(0.0))),
+            emits: at(scene::Sides::Front),
+        };
+        self.made_of(name, scene::Material::Conductor(conductor))
+    }
+
+    /// A mirror.
+    pub fn mirror(self, name: &str, reflectance: f64) -> Self {
+        let mirror = scene::Mirror {
+            reflectance: at(scene::Textured::Plain(scene::Reflectance(Spectrum::Constant(
+                reflectance,
+            )))),
+            emission: at(scene::Radiance(Spectrum::Constant(0.0))),
+            emits: at(scene::Sides::Front),
+        };
+        self.made_of(name, scene::Material::Mirror(mirror))
+    }
+
+    /// A mixture of two materials, of which `amount` is the second.
+    pub fn mix(self, name: &str, [first, second]: [&str; 2], amount: f64) -> Self {
+        let mix = scene::Mix {
+            first: at(scene::Ref::new(first)),
+            second: at(scene::Ref::new(second)),
+            amount: at(scene::Number(amount)),
+        };
+        self.made_of(name, scene::Material::Mix(mix))
+    }
+
     pub fn directional(mut self, direction: DVec3, irradiance: f64) -> Self {
         let light = scene::Light::Directional(scene::Directional {
             direction: at(scene::Direction(direction.normalize())),

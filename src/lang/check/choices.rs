@@ -148,7 +148,7 @@ impl Checker<'_> {
         &self,
         value: &Value,
         kind: &'static str,
-        target: &'static Type,
+        target: Type,
         place: &str,
     ) -> Option<Checked> {
         let ev = self.ev;
@@ -158,7 +158,7 @@ impl Checker<'_> {
             _ => None,
         };
         let variants = match target {
-            Type::OneOf(variants) => Some(*variants),
+            Type::OneOf(variants) => Some(variants),
             _ => None,
         };
         if let Some(word) = &name {
@@ -185,7 +185,7 @@ impl Checker<'_> {
             ev.reports.tell(types::mismatch(&format!("`{place}`"), &expected, &found, value.span));
             return None;
         }
-        let checked = self.check(value, target, &Range::ANY, place)?;
+        let checked = self.check(value, &target, &Range::ANY, place)?;
         let mut name = place.to_string();
         let taken = |name: &str| {
             let hoisted = self.hoisted.borrow();

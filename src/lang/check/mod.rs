@@ -174,7 +174,7 @@ impl<'a> Checker<'a> {
                 None => spectral::spectrum(ev, value, *spectral, range, &what),
             },
             Type::Textured { of, kind, target } => {
-                self.textured(value, (*of, range), kind, target, place)
+                self.textured(value, (*of, range), kind, target(), place)
             }
             Type::Index => spectral::index(ev, value, range, &what),
             Type::Words(words) => match &value.kind {
@@ -242,7 +242,7 @@ impl<'a> Checker<'a> {
                     None
                 }
             },
-            Type::Reference { kind, target } => self.reference(value, kind, target, place),
+            Type::Reference { kind, target } => self.reference(value, kind, target(), place),
         }
     }
 
@@ -399,7 +399,7 @@ impl<'a> Checker<'a> {
             Type::OneOf(variants) => variants.all.first().map_or("", |record| record.word).into(),
             Type::Record(_) | Type::Map(_) => "{ … }".into(),
             Type::List(_) => "[ … ]".into(),
-            Type::Reference { kind, target } => match (self.names_of(kind).first(), target) {
+            Type::Reference { kind, target } => match (self.names_of(kind).first(), target()) {
                 (Some(name), _) => (*name).into(),
                 (None, Type::OneOf(variants)) => {
                     variants.all.first().map_or(String::new(), |r| format!("{} {{ … }}", r.word))

@@ -14,7 +14,7 @@ impl Checker<'_> {
         value: &Value,
         (of, range): (Spectral, &Range),
         kind: &'static str,
-        target: &'static Type,
+        target: Type,
         place: &str,
     ) -> Option<Checked> {
         let declared = |name: &str| self.declared.contains_key(&(kind, name.into()));

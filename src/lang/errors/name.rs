@@ -376,6 +376,14 @@ pub fn circle(words: &[Word]) -> Diagnostic {
     told.help("define one of them without the others")
 }
 
+/// A declaration that is referred to by what it is made of.
+pub fn circle_of(kind: &str, word: &Word) -> Diagnostic {
+    let headline = format!("{kind} `{}` is made of itself", word.text);
+    Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, headline)
+        .label(word.span, format!("leads back to the {kind} it is a part of"))
+        .help(format!("name a {kind} that is made of others"))
+}
+
 /// A declaration that names itself.
 pub fn itself(kind: &str, word: &Word, variant: bool) -> Diagnostic {
     let name = &word.text;

@@ -30,7 +30,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let stated = (exposure.span != scene.film.span).then_some(exposure.span);
     let factor = stops.exp2();
     let most = |channels: [f64; 3]| channels.into_iter().fold(0.0, f64::max);
-    let materials = || shot.things.iter().flat_map(|thing| &thing.materials);
+    let materials = || shot.things.iter().flat_map(|thing| &thing.parts);
     let scattering = materials().filter(|material| material.value.scatters());
     let albedo = scattering.filter_map(|material| material.value.reflectance());
     let albedo = albedo.map(|albedo| most(largest(shot.stage, albedo))).fold(0.0, f64::max);

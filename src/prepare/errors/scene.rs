@@ -2,7 +2,7 @@
 
 use crate::diag::{Code, Diagnostic, Span};
 use crate::plan::daylight::SunHours;
-use crate::scene::At;
+use crate::scene::{At, Material, Named};
 
 /// A camera whose eye is the point it looks at.
 pub fn looks_nowhere(eye: Span, look_at: Span) -> Diagnostic {
@@ -250,4 +250,40 @@ pub fn endless_paths(depth: Span, roulette: Span) -> Diagnostic {
         .label(roulette, "… and none is ended by chance")
         .why("Between surfaces that give light back, a path goes on for ever.")
         .help("choose a `roulette`, which changes no picture but for its noise; or a depth")
+}
+
+/// A mixture whose parts have different matter behind them.
+pub fn mixed_insides(
+    mixture: &Named<Material>,
+    first: &Named<Material>,
+    other: &Named<Material>,
+) -> Diagnostic {
+    let name = &*mixture.name;
+    Diagnostic::error(
+        Code::SCENE_MIXED_INSIDES,
+        format!("the mixture `{name}` has two different media on one side"),
+    )
+    .label(mixture.value.span, format!("mixes `{}` and `{}`", *first.name, *other.name))
+    .label(first.value.span, "lets light into one medium")
+    .label(other.value.span, "and this into another, or out of another")
+    .why("A surface has one medium behind its face and one before it.")
+    .help("give both the same `inside` and `outside`, or mix with an opaque material")
+}
+
+/// A mixture whose parts shine on different sides.
+pub fn mixed_sides(
+    mixture: &Named<Material>,
+    first: &Named<Material>,
+    other: &Named<Material>,
+) -> Diagnostic {
+    let name = &*mixture.name;
+    Diagnostic::error(
+        Code::SCENE_MIXED_SIDES,
+        format!("the parts of the mixture `{name}` shine on different sides"),
+    )
+    .label(mixture.value.span, format!("mixes `{}` and `{}`", *first.name, *other.name))
+    .label(first.value.span, "shines on other sides …")
+    .label(other.value.span, "… than this does")
+    .why("A lamp shines with the same radiance on its front alone, or on both of its sides.")
+    .help("write the same `emits` for both")
 }

@@ -1,20 +1,28 @@
 //! Smooth metal: Fresnel's formulas for a complex index of refraction.
 
-use super::{Event, Facing, Scattered};
+use super::{Facing, Reflector};
 use crate::math::Rgb;
+use crate::optics::fresnel;
 
 /// A metal that mirrors.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Conductor {
-    /// The real part of the index, for each channel.
-    pub n: [f32; 3],
-    /// The imaginary part.
-    pub k: [f32; 3],
+#[derive(Clone, Debug, PartialEq)]
+pub enum Conductor {
+    /// Of an index n + ik for each channel.
+    Channels {
+        /// The real parts.
+        n: [f64; 3],
+        /// The imaginary parts.
+        k: [f64; 3],
+    },
+    /// Of a table: at the i-th of m entries, 2 or more, the cosine is (i / (m - 1))².
+    Table(Vec<Rgb>),
 }
 
 impl Conductor {
-    pub(super) fn at(&self, facing: Facing) -> Metal {
-        Metal { conductor: *self, facing }
+    pub(super) fn at(&self, facing: &Facing) -> Reflector {
+        let (wi, ns) = facing.mirrored();
+        let cos = facing.wo.dot(ns).clamp(0.0, 1.0);
+        Reflector { wi, reflectance: self.reflectance(cos) }
     }
 
     /// What it gives back of light that falls straight on it.
@@ -24,40 +32,48 @@ impl Conductor {
 
     /// What it gives back at this cosine to the normal.
     fn reflectance(&self, cos: f32) -> Rgb {
-        let [r, g, b] =
-            std::array::from_fn(|i| fresnel(self.n[i].into(), self.k[i].into(), cos.into()) as f32);
-        Rgb::new(r, g, b)
+        match self {
+            Self::Channels { n, k } => {
+                let part = |i: usize| fresnel::conductor(n[i], k[i], cos.into()) as f32;
+                Rgb::new(part(0), part(1), part(2))
+            }
+            Self::Table(table) => {
+                let place = cos.sqrt() * (table.len() - 1) as f32;
+                let before = (place as usize).min(table.len() - 2);
+                let t = place - before as f32;
+                table[before] * (1.0 - t) + table[before + 1] * t
+            }
+        }
     }
 }
 
-/// The part of unpolarised light that a surface of index n + ik reflects.
-fn fresnel(n: f64, k: f64, cos: f64) -> f64 {
-    let (cos_2, sin_2) = (cos * cos, 1.0 - cos * cos);
-    let (n_2, k_2) = (n * n, k * k);
-    let t = n_2 - k_2 - sin_2;
-    let a_2_plus_b_2 = (t * t + 4.0 * n_2 * k_2).sqrt();
-    let a = (0.5 * (a_2_plus_b_2 + t)).max(0.0).sqrt();
-    let across = (a_2_plus_b_2 - 2.0 * a * cos + cos_2) / (a_2_plus_b_2 + 2.0 * a * cos + cos_2);
-    let (s, q) = (cos_2 * a_2_plus_b_2 + sin_2 * sin_2, 2.0 * a * cos * sin_2);
-    0.5 * across * (1.0 + (s - q) / (s + q))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// A metal at a hit.
-#[derive(Clone, Copy, Debug)]
-pub struct Metal {
-    conductor: Conductor,
-    facing: Facing,
-}
+    #[test]
+    fn tables_are_straight_between_their_angles() {
+        let table = Conductor::Table(vec![Rgb::ONE, Rgb::grey(0.5), Rgb::new(0.0, 0.25, 0.5)]);
+        assert_eq!(table.reflectance(0.0), Rgb::ONE);
+        assert_eq!(table.reflectance(0.25), Rgb::grey(0.5));
+        assert_eq!(table.reflectance(1.0), Rgb::new(0.0, 0.25, 0.5));
+        assert_eq!(table.reflectance(0.0625), Rgb::grey(0.75));
+        assert_eq!(table.colour(), Rgb::new(0.0, 0.25, 0.5));
+    }
 
-impl Metal {
-    pub(super) fn reflected(&self) -> Option<Scattered> {
-        let Facing { wo, ns, .. } = self.facing;
-        Some(Scattered {
-            wi: self.facing.mirrored()?,
-            weight: self.conductor.reflectance(wo.dot(ns).clamp(0.0, 1.0)),
-            squeeze: 1.0,
-            pdf_w: 0.0,
-            event: Event::SpecularReflection,
-        })
+    #[test]
+    fn channels_are_reckoned_each_by_itself() {
+        let gold = Conductor::Channels { n: [0.14, 0.43, 1.38], k: [3.697, 2.455, 1.914] };
+        let cases = [
+            (0.0_f32, [0.962585, 0.786916, 0.408220]),
+            (60.0, [0.958123, 0.788132, 0.439799]),
+            (85.0, [0.975978, 0.919646, 0.765842]),
+        ];
+        for (degrees, truth) in cases {
+            let found = gold.reflectance(degrees.to_radians().cos()).to_array();
+            for (found, truth) in found.into_iter().zip(truth) {
+                assert!((found - truth).abs() < 1e-5, "{degrees}: {found}, not {truth}");
+            }
+        }
     }
 }

@@ -1,7 +1,10 @@
 //! A smooth surface between two kinds of clear matter: Fresnel's formulas and Snell's law.
 
+use glam::Vec3;
+
 use super::{Event, Facing, Scattered};
 use crate::math::Rgb;
+use crate::optics::fresnel::{self, Boundary};
 
 /// A surface between two media.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,44 +16,49 @@ pub struct Dielectric {
 }
 
 impl Dielectric {
-    pub(super) fn at(&self, facing: Facing) -> Interface {
+    pub(super) fn at(&self, facing: &Facing) -> Interface {
         let (here, beyond) =
             if facing.front { (self.outside, self.inside) } else { (self.inside, self.outside) };
-        let eta = beyond / here;
+        let (wi, ns) = facing.mirrored();
+        let cos = facing.wo.as_dvec3().dot(ns.as_dvec3()).clamp(0.0, 1.0);
         // Of indices that are nearly the same the difference is exact, the quotient is not.
-        let excess = (beyond - here) / here;
-        let cos = f64::from(facing.wo.dot(facing.ns)).clamp(0.0, 1.0);
-        let rest = excess * (eta + 1.0);
-        let g_2 = rest + cos * cos;
-        if g_2 <= 0.0 {
-            return Interface { facing, eta, bend: 0.0, reflectance: 1.0 };
-        }
-        // g is the cosine beyond, times eta; bend is g − cos without cancellation.
-        let g = g_2.sqrt();
-        let (bend, sum) = (rest / (g + cos), g + cos);
-        let parallel = (cos * sum - 1.0) / (cos * bend + 1.0);
-        let reflectance = 0.5 * (bend / sum).powi(2) * (1.0 + parallel * parallel);
-        Interface { facing, eta, bend, reflectance: reflectance.clamp(0.0, 1.0) }
+        let boundary = fresnel::dielectric((beyond - here) / here, cos);
+        Interface { facing: Facing { ns, ..*facing }, wi, eta: beyond / here, boundary }
     }
 }
 
 /// Such a surface at a hit.
 #[derive(Clone, Copy, Debug)]
 pub struct Interface {
+    /// With a normal at which the mirrored direction is above the surface.
     facing: Facing,
+    /// Where reflected light comes from.
+    wi: Vec3,
     /// Index beyond over the index on the viewer's side.
     eta: f64,
-    bend: f64,
-    /// The part of the light that is reflected; 1 where all is.
-    reflectance: f64,
+    boundary: Boundary,
 }
 
 impl Interface {
+    /// Where reflected light comes from.
+    pub(super) fn wi(&self) -> Vec3 {
+        self.wi
+    }
+
+    /// The part of the light that is reflected.
+    pub(super) fn reflectance(&self) -> f32 {
+        self.boundary.reflectance as f32
+    }
+
+    /// The part of the light that goes through.
+    pub(super) fn transmittance(&self) -> f32 {
+        (1.0 - self.boundary.reflectance) as f32
+    }
+
     pub(super) fn reflected(&self) -> Option<Scattered> {
-        let weight = Rgb::grey(self.reflectance as f32);
-        (self.reflectance > 0.0).then_some(Scattered {
-            wi: self.facing.mirrored()?,
-            weight,
+        (self.boundary.reflectance > 0.0).then_some(Scattered {
+            wi: self.wi,
+            weight: Rgb::grey(self.reflectance()),
             squeeze: 1.0,
             pdf_w: 0.0,
             event: Event::SpecularReflection,
@@ -58,15 +66,18 @@ impl Interface {
     }
 
     pub(super) fn refracted(&self) -> Option<Scattered> {
-        if self.reflectance >= 1.0 {
+        if self.boundary.reflectance >= 1.0 {
             return None;
         }
-        let Facing { wo, ns, ng, .. } = self.facing;
-        let way = -(wo.as_dvec3() + self.bend * ns.as_dvec3());
-        let wi = way.normalize().as_vec3();
-        (wi.dot(ng) < 0.0).then_some(Scattered {
-            wi,
-            weight: Rgb::grey((1.0 - self.reflectance) as f32),
+        let Facing { wo, ns, .. } = self.facing;
+        // Without a boundary the way on is the way so far, to the bit.
+        let wi = match self.boundary.bend {
+            0.0 => -wo,
+            bend => -(wo.as_dvec3() + bend * ns.as_dvec3()).normalize().as_vec3(),
+        };
+        Some(Scattered {
+            wi: self.facing.below(wi),
+            weight: Rgb::grey(self.transmittance()),
             squeeze: (1.0 / (self.eta * self.eta)) as f32,
             pdf_w: 0.0,
             event: Event::SpecularTransmission,
@@ -75,7 +86,77 @@ impl Interface {
 
     /// One of the two, each as often as light goes there.
     pub(super) fn sample(&self, u: f64) -> Option<Scattered> {
-        let way = if u < self.reflectance { self.reflected() } else { self.refracted() };
+        let reflected = u < self.boundary.reflectance;
+        let way = if reflected { self.reflected() } else { self.refracted() };
         way.map(|way| Scattered { weight: Rgb::ONE, ..way })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::facing::tests::{above, seen};
+    use super::*;
+
+    const INDICES: [f64; 6] = [1.0, 1.0 + 1e-7, 1.33, 1.5, 2.42, 100.0];
+
+    fn surface(inside: f64, behind: bool) -> Dielectric {
+        let (inside, outside) = if behind { (1.0, inside) } else { (inside, 1.0) };
+        Dielectric { inside, outside }
+    }
+
+    #[test]
+    fn all_light_goes_on_and_on_its_side_of_the_surface() {
+        for (i, index) in (0..60_000).zip(INDICES.into_iter().cycle()) {
+            let facing = seen(above(i), above(i + 1_000_000));
+            let glass = surface(index, i % 4 < 2).at(&facing);
+            let ways = [glass.reflected(), glass.refracted()];
+            let sum: f32 = ways.iter().flatten().map(|way| way.weight.g).sum();
+            assert!((sum - 1.0).abs() < 1e-6, "{index}: {facing:?}");
+            for way in ways.iter().flatten() {
+                let up = way.event == Event::SpecularReflection;
+                assert!(way.wi.is_finite() && (way.wi.z > 0.0) == up && way.wi.z != 0.0);
+                assert!((way.wi.length() - 1.0).abs() < 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn refraction_obeys_its_law_and_can_be_reversed() {
+        for (i, index) in (0..60_000).zip(INDICES.into_iter().cycle()) {
+            let facing = seen(above(i), Vec3::Z);
+            let down = surface(index, false);
+            let Some(way) = down.at(&facing).refracted() else {
+                assert!(facing.wo.z < 1e-6, "{index}: {facing:?}");
+                continue;
+            };
+            // The components along the surface, by Snell's law.
+            let along = facing.wo.truncate().as_dvec2() + index * way.wi.truncate().as_dvec2();
+            assert!(along.length() < 2e-7 * index, "{index}: {facing:?}");
+            assert!((way.squeeze * (index * index) as f32 - 1.0).abs() < 1e-6);
+            // From the other side the same part of the light comes the same way.
+            let back = Facing { wo: way.wi, ng: -Vec3::Z, ns: -Vec3::Z, front: false };
+            let there = down.at(&facing);
+            let back = down.at(&back);
+            let cos = f64::from(facing.wo.z);
+            // Rounding of directions is rounding of angles, and matters where they graze, or where
+            // a little more would be reflected totally.
+            if cos > 1e-2 && index < 3.0 {
+                let off = (there.boundary.reflectance - back.boundary.reflectance).abs();
+                assert!(off < 1e-3, "{index} {cos}: {off}");
+                let again = back.refracted().map_or(facing.wo, |back| back.wi);
+                assert!((again - facing.wo).length() < 1e-3, "{index}: {again} {facing:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn no_difference_of_indices_is_no_surface() {
+        for i in 0..10_000 {
+            let facing = seen(above(i), above(i + 1_000_000));
+            let glass = Dielectric { inside: 1.5, outside: 1.5 }.at(&facing);
+            assert!(glass.reflected().is_none());
+            let way = glass.refracted().unwrap();
+            assert!(way.wi == -facing.wo && way.weight == Rgb::ONE && way.squeeze == 1.0);
+        }
     }
 }

@@ -1,4 +1,8 @@
 //! Lambert's law: the same radiance in every direction, on both sides of the surface.
+//!
+//! Light is weighed at the shading normal, and what comes from below the surface is left out. So
+//! where the two normals are an angle δ apart, (1 + cos δ)/2 of the albedo is scattered: in even
+//! light a smooth mesh is darker by δ²/4 at most than what it stands for.
 
 use std::f32::consts::FRAC_1_PI;
 
@@ -6,36 +10,26 @@ use glam::{DVec2, Vec2, Vec3};
 
 use super::{Event, Facing, Scattered};
 use crate::math::{Rgb, random, warp};
-use crate::render::geometry::Hit;
 use crate::render::textures::Colour;
 
-/// A diffuse surface, which may be a lamp.
+/// A diffuse surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diffuse {
     /// The part of the light that is scattered back, on either side.
     pub albedo: Colour,
-    /// Radiance that it shines of itself, in light units.
-    pub emission: Rgb,
-    /// Whether its back shines as well as its front.
-    pub both: bool,
 }
 
 impl Diffuse {
-    /// What a hit shines towards `wo`.
-    pub(super) fn emission(&self, hit: &Hit, wo: Vec3) -> Rgb {
-        if self.both || hit.ng.dot(wo) > 0.0 { self.emission } else { Rgb::BLACK }
-    }
-
     /// The surface at a hit.
-    pub(super) fn at(&self, uv: DVec2, facing: Facing) -> Lambert {
-        Lambert { albedo: self.albedo.at(uv), ng: facing.ng, ns: facing.ns }
+    pub(super) fn at(&self, uv: DVec2, facing: &Facing) -> Lambert {
+        Lambert { albedo: self.albedo.at(uv), ..Lambert::black(facing) }
     }
 }
 
 /// A diffuse surface at a hit.
 #[derive(Clone, Copy, Debug)]
 pub struct Lambert {
-    albedo: Rgb,
+    pub(super) albedo: Rgb,
     /// Geometric normal on the viewer's side.
     ng: Vec3,
     /// Shading normal on the same side.
@@ -43,6 +37,11 @@ pub struct Lambert {
 }
 
 impl Lambert {
+    /// One that scatters nothing.
+    pub(super) fn black(facing: &Facing) -> Self {
+        Self { albedo: Rgb::BLACK, ng: facing.ng, ns: facing.ns }
+    }
+
     /// albedo/π times the cosine at the shading normal.
     pub(super) fn scattered(&self, wi: Vec3) -> Rgb {
         self.albedo * (FRAC_1_PI * self.ns.dot(wi).max(0.0))
@@ -80,7 +79,7 @@ impl Lambert {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::geometry::{Geometry, Owner, Ray, Shapes, Triangle};
+    use crate::render::geometry::{Geometry, Hit, Owner, Ray, Shapes, Triangle};
 
     /// A hit from above on a triangle that faces up, with a shading normal tilted towards +x.
     fn tilted() -> Hit {
@@ -96,8 +95,7 @@ mod tests {
 
     #[test]
     fn light_is_weighed_at_the_shading_normal_and_hidden_by_the_surface_itself() {
-        let albedo = Colour::Plain(Rgb::grey(0.5));
-        let diffuse = Diffuse { albedo, emission: Rgb::BLACK, both: false };
+        let diffuse = Diffuse { albedo: Colour::Plain(Rgb::grey(0.5)) };
         let hit = tilted();
         let cases = [
             // Above both.
@@ -109,12 +107,12 @@ mod tests {
             (Vec3::new(0.96, 0.0, -0.28), 0.352, false),
         ];
         for (wi, cos, faces) in cases {
-            let above = diffuse.at(hit.uv, Facing::new(&hit, Vec3::Z));
+            let above = diffuse.at(hit.uv, &Facing::new(&hit, Vec3::Z));
             let scattered = above.scattered(wi).g;
             assert!((scattered - 0.5 * FRAC_1_PI * cos).abs() < 1e-6, "{wi}: {scattered}");
             assert_eq!(above.faces(wi), faces);
             // From behind everything is as if the surface were turned round.
-            let behind = diffuse.at(hit.uv, Facing::new(&hit, Vec3::NEG_Z));
+            let behind = diffuse.at(hit.uv, &Facing::new(&hit, Vec3::NEG_Z));
             assert_eq!((behind.scattered(-wi).g, behind.faces(-wi)), (scattered, faces));
         }
     }

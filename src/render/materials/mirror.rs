@@ -1,6 +1,6 @@
-//! A perfect mirror.
+//! A perfect mirror, and whatever else gives back light in one direction.
 
-use glam::DVec2;
+use glam::{DVec2, Vec3};
 
 use super::{Event, Facing, Scattered};
 use crate::math::Rgb;
@@ -14,26 +14,28 @@ pub struct Mirror {
 }
 
 impl Mirror {
-    pub(super) fn at(&self, uv: DVec2, facing: Facing) -> Reflector {
-        Reflector { reflectance: self.reflectance.at(uv), facing }
+    pub(super) fn at(&self, uv: DVec2, facing: &Facing) -> Reflector {
+        Reflector { wi: facing.mirrored().0, reflectance: self.reflectance.at(uv) }
     }
 }
 
-/// A mirror at a hit.
+/// A mirror or a metal at a hit.
 #[derive(Clone, Copy, Debug)]
 pub struct Reflector {
-    reflectance: Rgb,
-    facing: Facing,
+    /// Where the light comes from.
+    pub(super) wi: Vec3,
+    /// The part of it that is given back.
+    pub(super) reflectance: Rgb,
 }
 
 impl Reflector {
-    pub(super) fn reflected(&self) -> Option<Scattered> {
-        Some(Scattered {
-            wi: self.facing.mirrored()?,
+    pub(super) fn reflected(&self) -> Scattered {
+        Scattered {
+            wi: self.wi,
             weight: self.reflectance,
             squeeze: 1.0,
             pdf_w: 0.0,
             event: Event::SpecularReflection,
-        })
+        }
     }
 }

@@ -8,22 +8,42 @@ mod dielectric;
 mod diffuse;
 mod facing;
 mod mirror;
+mod mixture;
 
-pub use conductor::{Conductor, Metal};
+pub use conductor::Conductor;
 pub use dielectric::{Dielectric, Interface};
 pub use diffuse::{Diffuse, Lambert};
 pub use mirror::{Mirror, Reflector};
+pub use mixture::{Mixed, Mixture};
 
 use facing::Facing;
-use glam::Vec3;
+use glam::{DVec2, Vec3};
 
 use super::geometry::Hit;
 use crate::math::Rgb;
 use crate::math::paths::Event;
 
-/// A surface's material.
+/// What a surface does with light, and what it shines of itself.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Material {
+pub struct Material {
+    /// What it does with light.
+    pub surface: Surface,
+    /// What it shines.
+    pub emission: Emission,
+}
+
+/// What a surface shines of itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Emission {
+    /// Radiance in light units, the same in all directions.
+    pub radiance: Rgb,
+    /// Whether its back shines as well as its front.
+    pub both: bool,
+}
+
+/// What a surface does with light.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Surface {
     /// Smooth metal.
     Conductor(Conductor),
     /// A smooth surface of clear matter.
@@ -32,35 +52,46 @@ pub enum Material {
     Diffuse(Diffuse),
     /// A perfect mirror.
     Mirror(Mirror),
+    /// Several of them.
+    Mixture(Mixture),
 }
 
 impl Material {
     /// The radiance that a hit shines of itself towards `wo`, in light units.
     pub fn emission(&self, hit: &Hit, wo: Vec3) -> Rgb {
-        match self {
-            Self::Diffuse(diffuse) => diffuse.emission(hit, wo),
-            Self::Conductor(_) | Self::Dielectric(_) | Self::Mirror(_) => Rgb::BLACK,
-        }
+        let Emission { radiance, both } = self.emission;
+        if both || hit.ng.dot(wo) > 0.0 { radiance } else { Rgb::BLACK }
     }
 
     /// The colour of the surface at a hit, for a picture that shows what is where.
     pub fn colour(&self, hit: &Hit) -> Rgb {
-        match self {
-            Self::Conductor(conductor) => conductor.colour(),
-            Self::Dielectric(_) => Rgb::grey(0.8),
-            Self::Diffuse(diffuse) => diffuse.albedo.at(hit.uv),
-            Self::Mirror(mirror) => mirror.reflectance.at(hit.uv),
-        }
+        self.surface.colour(hit.uv)
     }
 
     /// What the material is at a hit, seen from `wo`, which points away from the surface.
     pub fn at(&self, hit: &Hit, wo: Vec3) -> Bsdf {
-        let facing = Facing::new(hit, wo);
+        self.surface.at(hit.uv, &Facing::new(hit, wo))
+    }
+}
+
+impl Surface {
+    fn colour(&self, uv: DVec2) -> Rgb {
         match self {
-            Self::Conductor(conductor) => Bsdf::Metal(conductor.at(facing)),
+            Self::Conductor(conductor) => conductor.colour(),
+            Self::Dielectric(_) => Rgb::grey(0.8),
+            Self::Diffuse(diffuse) => diffuse.albedo.at(uv),
+            Self::Mirror(mirror) => mirror.reflectance.at(uv),
+            Self::Mixture(mixture) => mixture.colour(uv),
+        }
+    }
+
+    fn at(&self, uv: DVec2, facing: &Facing) -> Bsdf {
+        match self {
+            Self::Conductor(conductor) => Bsdf::Reflector(conductor.at(facing)),
             Self::Dielectric(dielectric) => Bsdf::Interface(dielectric.at(facing)),
-            Self::Diffuse(diffuse) => Bsdf::Lambert(diffuse.at(hit.uv, facing)),
-            Self::Mirror(mirror) => Bsdf::Reflector(mirror.at(hit.uv, facing)),
+            Self::Diffuse(diffuse) => Bsdf::Lambert(diffuse.at(uv, facing)),
+            Self::Mirror(mirror) => Bsdf::Reflector(mirror.at(uv, facing)),
+            Self::Mixture(mixture) => Bsdf::Mixed(mixture.at(uv, facing)),
         }
     }
 }
@@ -72,9 +103,9 @@ pub enum Bsdf {
     Interface(Interface),
     /// Lambert's.
     Lambert(Lambert),
-    /// Smooth metal.
-    Metal(Metal),
-    /// A perfect mirror.
+    /// Several of them.
+    Mixed(Mixed),
+    /// A mirror or a smooth metal.
     Reflector(Reflector),
 }
 
@@ -107,63 +138,65 @@ pub struct Scattered {
 }
 
 impl Bsdf {
+    /// What scatters light to all sides, if something does.
+    fn lambert(&self) -> Option<&Lambert> {
+        match self {
+            Self::Lambert(lambert) => Some(lambert),
+            Self::Mixed(mixed) if mixed.scatters() => Some(mixed.lambert()),
+            Self::Interface(_) | Self::Mixed(_) | Self::Reflector(_) => None,
+        }
+    }
+
     /// The BSDF towards the viewer of light from `wi`, times the cosine at the shading normal,
     /// in 1/sr; without specular parts.
     pub fn scattered(&self, wi: Vec3) -> Rgb {
-        match self {
-            Self::Lambert(lambert) => lambert.scattered(wi),
-            Self::Interface(_) | Self::Metal(_) | Self::Reflector(_) => Rgb::BLACK,
-        }
+        self.lambert().map_or(Rgb::BLACK, |lambert| lambert.scattered(wi))
     }
 
     /// Whether light from `wi` reaches the viewer's side of the geometric surface. Where normals
     /// are interpolated it may not, though it is above the shading normal: it would leak through
     /// from behind.
     pub fn faces(&self, wi: Vec3) -> bool {
-        match self {
-            Self::Lambert(lambert) => lambert.faces(wi),
-            Self::Interface(_) | Self::Metal(_) | Self::Reflector(_) => false,
-        }
+        self.lambert().is_some_and(|lambert| lambert.faces(wi))
     }
 
     /// What happens to light that it scatters to all sides, if it does.
     pub fn scatters(&self) -> Option<Event> {
-        match self {
-            Self::Lambert(_) => Some(Event::DiffuseReflection),
-            Self::Interface(_) | Self::Metal(_) | Self::Reflector(_) => None,
-        }
+        self.lambert().map(|_| Event::DiffuseReflection)
     }
 
     /// Whether some light goes in one direction alone.
     pub fn is_specular(&self) -> bool {
-        matches!(self, Self::Interface(_) | Self::Metal(_) | Self::Reflector(_))
+        match self {
+            Self::Lambert(_) => false,
+            Self::Mixed(mixed) => mixed.is_specular(),
+            Self::Interface(_) | Self::Reflector(_) => true,
+        }
     }
 
     /// Shading normal on the side from which light counts that is scattered; zero if it counts
     /// from both.
     pub fn side(&self) -> Vec3 {
-        match self {
-            Self::Lambert(lambert) => lambert.side(),
-            Self::Interface(_) | Self::Metal(_) | Self::Reflector(_) => Vec3::ZERO,
-        }
+        self.lambert().map_or(Vec3::ZERO, |lambert| lambert.side())
     }
 
     /// A direction for light to come from, by `u` in [0, 1)⁴: the first two choose it, the third
     /// the part of the BSDF, the fourth is not used. None: it brings nothing.
     pub fn sample(&self, part: Part, u: [f64; 4]) -> Option<Scattered> {
         match (self, part) {
+            (Self::Mixed(mixed), _) => mixed.sample(part, u),
             (Self::Lambert(_), Part::Specular) => None,
             (Self::Lambert(lambert), _) => lambert.sample([u[0], u[1]]),
             (_, Part::Scattering) => None,
             (Self::Interface(interface), _) => interface.sample(u[2]),
-            (Self::Metal(metal), _) => metal.reflected(),
-            (Self::Reflector(reflector), _) => reflector.reflected(),
+            (Self::Reflector(reflector), _) => Some(reflector.reflected()),
         }
     }
 
     /// Density in solid angle with which `sample` gives a direction; without specular ones.
     pub fn pdf_w(&self, part: Part, wi: Vec3) -> f32 {
         match (self, part) {
+            (Self::Mixed(mixed), _) => mixed.pdf_w(part, wi),
             (Self::Lambert(lambert), Part::All | Part::Scattering) => lambert.pdf_w(wi),
             _ => 0.0,
         }
@@ -174,8 +207,8 @@ impl Bsdf {
         match self {
             Self::Lambert(_) => [None, None],
             Self::Interface(interface) => [interface.reflected(), interface.refracted()],
-            Self::Metal(metal) => [metal.reflected(), None],
-            Self::Reflector(reflector) => [reflector.reflected(), None],
+            Self::Mixed(mixed) => mixed.specular(),
+            Self::Reflector(reflector) => [Some(reflector.reflected()), None],
         }
     }
 }
