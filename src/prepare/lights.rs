@@ -70,8 +70,7 @@ pub(super) fn unit(
         let channels = colour::emitted(shine.spectrum).map(|channel| scale * channel);
         brightest = brightest.max(largest(channels, shine.at, "light", &light.name));
     }
-    let materials = bodies.iter().flat_map(|body| &body.materials);
-    for (_, material) in materials.flat_map(|material| scene.parts(material)) {
+    for (_, material) in bodies.iter().flat_map(|body| body.parts.iter().flatten()) {
         if let Some(albedo) = material.value.reflectance() {
             largest(plan::largest(stage, albedo), albedo.span, "albedo of", &material.name);
         }

@@ -30,7 +30,6 @@ pub(super) fn table(
     light_unit: f64,
     found: &mut Vec<Diagnostic>,
 ) -> Table {
-    let scene = &*stage.scene;
     let mut textures = Textures::of(stage);
     let mut table = Table { all: Vec::new(), slots: BTreeMap::new() };
     // A material is known by the place of its declaration: its name alone may be used again by
@@ -39,18 +38,17 @@ pub(super) fn table(
     let mut told: HashSet<(&str, Span)> = HashSet::new();
     for body in bodies {
         let mut slots = Vec::with_capacity(body.materials.len());
-        for named in &body.materials {
-            let parts = scene.parts(named);
+        for (named, parts) in body.materials.iter().zip(&body.parts) {
             let place = (named.name.value.as_str(), named.value.span);
             if told.insert(place) {
-                check(named, &parts, found);
+                check(named, parts, found);
             }
             let shines = parts.iter().any(|(_, part)| part.value.shines());
             let number = *known
                 .entry((place.0, place.1, shines.then_some(body.number)))
                 .or_insert(table.all.len() as u32);
             if number as usize == table.all.len() {
-                table.all.push(material(&mut textures, named, &parts, light_unit));
+                table.all.push(material(&mut textures, named, parts, light_unit));
             }
             slots.push(number);
         }

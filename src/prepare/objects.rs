@@ -19,6 +19,8 @@ pub(super) struct Placed<'a> {
     pub body: Body<'a>,
     /// Materials of its slots; all but meshes have one.
     pub materials: Vec<&'a Named<Material>>,
+    /// What each of them is made of, and the part of each.
+    pub parts: Vec<Vec<(f64, &'a Named<Material>)>>,
 }
 
 /// A surface in metres. A mirrored one has its front where the mirror shows it.
@@ -49,11 +51,12 @@ pub(super) fn place<'a>(stage: &'a Stage, found: &mut Vec<Diagnostic>) -> Vec<Pl
     for ((number, object), mesh) in scene.objects.iter().enumerate().zip(&stage.meshes) {
         let name = &object.name;
         let Some(body) = body(name, &object.value, mesh.as_ref(), found) else { continue };
-        let materials = match (&object.value.value, mesh) {
+        let materials: Vec<&Named<Material>> = match (&object.value.value, mesh) {
             (Object::Mesh(_), Some(staged)) => staged.materials.iter().collect(),
             (other, _) => material(other).map(|m| scene.material(m)).into_iter().collect(),
         };
-        let placed = Placed { number: number as u32, name, body, materials };
+        let parts = materials.iter().map(|material| scene.parts(material)).collect();
+        let placed = Placed { number: number as u32, name, body, materials, parts };
         if let Some(fault) = placed.lacks_coordinates() {
             found.push(fault);
             continue;
@@ -195,8 +198,9 @@ impl Placed<'_> {
     /// The fault of a mesh with a texture that it has no coordinates for.
     fn lacks_coordinates(&self) -> Option<Diagnostic> {
         let Body::Mesh { mesh, .. } = self.body else { return None };
-        let slots = self.materials.iter().enumerate();
-        slots.into_iter().find_map(|(slot, material)| {
+        let slots = self.parts.iter().enumerate();
+        let mut slots = slots.flat_map(|(slot, parts)| parts.iter().map(move |part| (slot, part)));
+        slots.find_map(|(slot, (_, material))| {
             let said = material.value.value.reflectance()?;
             let texture = said.texture()?;
             let counts = mesh.without_coordinates(slot as u32);

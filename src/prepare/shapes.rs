@@ -283,7 +283,8 @@ impl One<'_> {
 
     /// Whether coordinates are kept of surfaces of this slot.
     fn is_charted(&self, slot: usize) -> bool {
-        let textured = self.placed.materials[slot].value.texture().is_some();
+        let mut parts = self.placed.parts[slot].iter();
+        let textured = parts.any(|(_, part)| part.value.texture().is_some());
         self.plan.builds(Feature::Coordinates) && (textured || self.plan.forced)
     }
 
