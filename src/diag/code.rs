@@ -185,9 +185,9 @@ codes! {
     SCENE_ENDLESS_PATHS = "scene/endless-paths";
     SCENE_HALF_A_CLOCK = "scene/half-a-clock";
     SCENE_LOST_TRIANGLES = "scene/lost-triangles";
-    SCENE_NIGHT = "scene/night";
     SCENE_MIXED_INSIDES = "scene/mixed-insides";
     SCENE_MIXED_SIDES = "scene/mixed-sides";
+    SCENE_NIGHT = "scene/night";
     SCENE_NO_AREA = "scene/no-area";
     SCENE_NORTH_IS_UP = "scene/north-is-up";
     SCENE_NOTHING_SHINES = "scene/nothing-shines";
