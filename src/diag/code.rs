@@ -222,7 +222,10 @@ codes! {
     SYNTAX_UNCLOSED_BRACKET = "syntax/unclosed-bracket";
     SYNTAX_UNCLOSED_STRING = "syntax/unclosed-string";
     SYNTAX_UNEXPECTED = "syntax/unexpected";
+    TEXTURE_FLOAT_ENCODING = "texture/float-encoding";
     TEXTURE_NO_COORDINATES = "texture/no-coordinates";
+    TEXTURE_TRANSPARENCY = "texture/transparency";
+    TEXTURE_UNREADABLE = "texture/unreadable";
     TYPE_ARGUMENTS = "type/arguments";
     TYPE_EMPTY_RANGE = "type/empty-range";
     TYPE_MISMATCH = "type/mismatch";

@@ -4,7 +4,7 @@
 //! Scan lines, compressed by ZIP without loss. A crop keeps its place: the data window lies in
 //! the display window. Layers are channels with a prefix, `normal.R`, as every reader knows them.
 
-use std::io::{BufReader, Seek};
+use std::io::{BufRead, BufReader, Seek};
 use std::path::Path;
 
 use ::exr::meta::attribute::{AttributeValue, IntegerBounds, Text};
@@ -80,7 +80,14 @@ pub fn write(path: &Path, layers: &Layers, metadata: &Metadata) -> Result<(), Fa
 /// Reads what [`write`] wrote, and what others write likewise: one part with channels R, G, B.
 pub fn read(path: &Path) -> Result<(Layers, Metadata), Failure> {
     let (file, length) = regular::open(path, LIMIT)?;
-    let mut file = BufReader::new(file);
+    parse(BufReader::new(file), length)
+}
+
+/// The same from the beginning of what has so many bytes.
+pub(super) fn parse(
+    mut file: impl BufRead + Seek + Send,
+    length: u64,
+) -> Result<(Layers, Metadata), Failure> {
     check_size(&mut file, length)?;
     let image = ::exr::prelude::read()
         .no_deep_data()
@@ -179,7 +186,7 @@ fn words(attributes: &LayerAttributes) -> Metadata {
 }
 
 /// Refuses a header that claims more pixels than its file can hold, before they are allocated.
-fn check_size(file: &mut (impl std::io::BufRead + Seek), length: u64) -> Result<(), Failure> {
+fn check_size(file: &mut (impl BufRead + Seek), length: u64) -> Result<(), Failure> {
     let meta = ::exr::meta::MetaData::read_from_buffered(&mut *file, false).map_err(unread)?;
     file.rewind()?;
     for header in &meta.headers {

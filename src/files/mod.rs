@@ -16,6 +16,7 @@ pub mod hold;
 pub mod exr;
 pub mod png;
 pub mod svg;
+pub mod texture;
 pub mod checkpoint;
 pub mod obj;
 pub mod mtl;

@@ -7,12 +7,12 @@ use std::sync::Arc;
 
 use sha2::{Digest, Sha256};
 
-use super::errors::{and_more, file, mesh, mtl};
+use super::errors::{and_more, file, mesh, mtl, texture};
 use super::tidy;
 use crate::diag::{Diagnostic, FileId, Sources, Span};
 use crate::files::{Failure, regular};
-use crate::files::{mtl as mtl_file, obj};
-use crate::math::{Mesh, Progress};
+use crate::files::{mtl as mtl_file, obj, texture as texture_file};
+use crate::math::{Mesh, Progress, Texels};
 
 /// A mesh that was read.
 pub(super) struct ObjFile {
@@ -37,11 +37,20 @@ pub(super) struct MtlFile {
     pub digest: [u8; 32],
 }
 
+/// A picture that was read.
+pub(super) struct PictureFile {
+    pub texels: Arc<Texels>,
+    /// Its length, and the digest of its bytes.
+    pub bytes: u64,
+    pub digest: [u8; 32],
+}
+
 /// Everything read so far; None: it could not be read, and that was told.
 pub(super) struct Shelf<'a> {
     progress: &'a dyn Progress,
     objs: HashMap<PathBuf, Option<Rc<ObjFile>>>,
     mtls: HashMap<PathBuf, Option<Rc<MtlFile>>>,
+    pictures: HashMap<PathBuf, Option<Rc<PictureFile>>>,
 }
 
 /// Who names a file: as written, where it is, and the place that says so.
@@ -54,7 +63,7 @@ pub(super) struct Asked<'a> {
 
 impl<'a> Shelf<'a> {
     pub fn new(progress: &'a dyn Progress) -> Self {
-        Self { progress, objs: HashMap::new(), mtls: HashMap::new() }
+        Self { progress, objs: HashMap::new(), mtls: HashMap::new(), pictures: HashMap::new() }
     }
 
     /// The mesh in a file. Its faults are told when it is first read.
@@ -87,6 +96,43 @@ impl<'a> Shelf<'a> {
         let read = read_mtl(asked, sources, found).map(Rc::new);
         self.mtls.insert(identity, read.clone());
         read
+    }
+
+    /// The picture in a file. Its faults are told when it is first read.
+    pub fn picture(
+        &mut self,
+        asked: Asked,
+        found: &mut Vec<Diagnostic>,
+    ) -> Option<Rc<PictureFile>> {
+        let identity = regular::identity(asked.path);
+        if let Some(known) = self.pictures.get(&identity) {
+            return known.clone();
+        }
+        let read = self.read_picture(asked, found).map(Rc::new);
+        self.pictures.insert(identity, read.clone());
+        read
+    }
+
+    fn read_picture(&self, asked: Asked, found: &mut Vec<Diagnostic>) -> Option<PictureFile> {
+        let bytes = match regular::read(asked.path, texture_file::LIMIT) {
+            Ok(bytes) => bytes,
+            Err(failure) => return unreadable(asked, &failure, found),
+        };
+        self.progress.advance(0, bytes.len() as u64);
+        let reading = match texture_file::parse(&bytes) {
+            Ok(reading) => reading,
+            Err(failure) => {
+                found.push(texture::unreadable(asked.name, asked.span, &failure));
+                return None;
+            }
+        };
+        self.progress.advance(bytes.len() as u64, bytes.len() as u64);
+        if reading.transparent {
+            found.push(texture::transparent(asked.name, asked.span));
+        }
+        let digest = Sha256::digest(&bytes).into();
+        let texels = Arc::new(reading.texels);
+        Some(PictureFile { texels, bytes: bytes.len() as u64, digest })
     }
 
     fn read_obj(

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use sha2::{Digest, Sha256};
 
 use super::files::Shelf;
-use super::{SceneHash, Stage, StagedFile, StagedTexture, meshes};
+use super::{SceneHash, Stage, StagedFile, meshes, textures};
 use crate::diag::{Diagnostic, Level, Sources};
 use crate::math::Progress;
 use crate::scene::{Object, Scene};
@@ -22,6 +22,16 @@ pub struct Loader<'a> {
 pub(super) struct Used {
     pub file: StagedFile,
     pub digest: [u8; 32],
+}
+
+impl Used {
+    /// Notes a file, once.
+    pub fn note(all: &mut Vec<Self>, file: StagedFile, digest: [u8; 32]) {
+        let known = |used: &Self| used.digest == digest && used.file.name == file.name;
+        if !all.iter().any(known) {
+            all.push(Self { file, digest });
+        }
+    }
 }
 
 impl<'a> Loader<'a> {
@@ -57,15 +67,15 @@ impl<'a> Loader<'a> {
             whole &= mesh.is_some();
             staged.push(mesh);
         }
+        let mut desk =
+            textures::Desk { shelf: &mut self.shelf, found: &mut found, used: &mut used };
+        let textures = scene.textures.iter().filter_map(|texture| desk.stage(texture));
+        let textures = textures.collect();
         whole &= found.iter().all(|diagnostic| diagnostic.level < Level::Error);
         let stage = whole.then(|| Stage {
             scene: scene.clone(),
             meshes: staged,
-            textures: scene
-                .textures
-                .iter()
-                .map(|texture| StagedTexture { texture: texture.clone() })
-                .collect(),
+            textures,
             hash: hash(scene, &used),
             light_hash: hash(&light(scene), &used),
             files: used.into_iter().map(|used| used.file).collect(),

@@ -44,7 +44,7 @@ impl Desk<'_, '_> {
             bytes: obj.bytes,
             triangles: Some(obj.mesh.triangles.len() as u64),
         };
-        self.use_file(file, obj.digest);
+        Used::note(self.used, file, obj.digest);
         let fields = self.check_fields(object, mesh);
         let replaced = fields && self.check_replacements(mesh, &obj);
 
@@ -153,7 +153,7 @@ impl Desk<'_, '_> {
             bytes: library.bytes,
             triangles: None,
         };
-        self.use_file(file, library.digest);
+        Used::note(self.used, file, library.digest);
         Some(library)
     }
 
@@ -177,14 +177,6 @@ impl Desk<'_, '_> {
             let has_file = mesh.mtl.value.is_some() || !obj.libraries.is_empty();
             errors::missing_material(file, name, has_file.then_some(&names), at, field)
         });
-    }
-
-    /// Notes a file, once.
-    fn use_file(&mut self, file: StagedFile, digest: [u8; 32]) {
-        let known = |used: &Used| used.digest == digest && used.file.name == file.name;
-        if !self.used.iter().any(known) {
-            self.used.push(Used { file, digest });
-        }
     }
 }
 

@@ -6,6 +6,7 @@ mod loader;
 mod materials;
 mod meshes;
 mod stage;
+mod textures;
 mod tidy;
 
 pub use loader::Loader;

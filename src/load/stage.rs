@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::diag::Span;
-use crate::math::Mesh;
-use crate::scene::{Material, Named, Ref, Scene, Texture};
+use crate::math::{Mesh, Texels, Values};
+use crate::scene::{Encoding, Material, Named, Ref, Scene, Texture};
 
 /// A scene, and what its files hold. Nothing is placed or scaled yet.
 #[derive(Clone, Debug)]
@@ -39,6 +39,22 @@ pub struct StagedMesh {
 pub struct StagedTexture {
     /// As it is declared.
     pub texture: Named<Texture>,
+    /// The picture it names, if it names one.
+    pub texels: Option<Arc<Texels>>,
+}
+
+impl StagedTexture {
+    /// Whether its texels are to be decoded from sRGB.
+    pub fn is_encoded(&self) -> bool {
+        let floats = |texels: &Arc<Texels>| matches!(texels.values, Values::Float(_));
+        match &self.texture.value.value {
+            Texture::Checker(_) => false,
+            Texture::Image(image) => match image.encoding.value {
+                Some(encoding) => encoding == Encoding::Srgb,
+                None => !self.texels.as_ref().is_some_and(floats),
+            },
+        }
+    }
 }
 
 impl Stage {

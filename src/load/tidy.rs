@@ -102,6 +102,7 @@ fn kept(mesh: Mesh, keep: &[bool]) -> (Mesh, Vec<u32>) {
     };
     let mut triangles = filter(mesh.triangles);
     let normal_indices = filter(mesh.normal_indices);
+    let coordinate_indices = filter(mesh.coordinate_indices);
     let slots = mesh.slots.into_iter().zip(keep).filter(|(_, keep)| **keep);
     let mut slots: Vec<u32> = slots.map(|(slot, _)| slot).collect();
 
@@ -109,8 +110,17 @@ fn kept(mesh: Mesh, keep: &[bool]) -> (Mesh, Vec<u32>) {
     let positions = old.iter().map(|i| mesh.positions[*i as usize]).collect();
     let old = renumber(&mut slots, mesh.material_names.len());
     let material_names = old.iter().map(|i| mesh.material_names[*i as usize].clone()).collect();
-    let normals = mesh.normals;
-    let mesh = Mesh { positions, normals, triangles, normal_indices, slots, material_names };
+    let (normals, coordinates) = (mesh.normals, mesh.coordinates);
+    let mesh = Mesh {
+        positions,
+        normals,
+        triangles,
+        normal_indices,
+        coordinates,
+        coordinate_indices,
+        slots,
+        material_names,
+    };
     (mesh, old)
 }
 

@@ -15,4 +15,4 @@ pub mod errors;
 
 pub use bias::{Bias, Kind, biases};
 pub use features::{Answer, Feature, Need, Plan};
-pub use textures::largest;
+pub use textures::{largest, largest_of};

@@ -105,6 +105,8 @@ pub struct Summary {
     pub slivers: u64,
     /// Memory of the geometry, in bytes.
     pub bytes: u64,
+    /// Memory of the pictures of textures, in bytes.
+    pub texture_bytes: u64,
 }
 
 /// How the samples of a stage belong together.
@@ -234,6 +236,7 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         lights: lights.all.len() as u64,
         slivers,
         bytes,
+        texture_bytes: textures::bytes(stage),
     };
     Prepared {
         objects: stage.scene.objects.iter().zip(&objects).map(note).collect(),

@@ -203,7 +203,8 @@ impl Placed<'_> {
         slots.find_map(|(slot, (_, material))| {
             let said = material.value.value.reflectance()?;
             let texture = said.texture()?;
-            let counts = mesh.without_coordinates(slot as u32);
+            let without = mesh.without_coordinates(slot as u32);
+            let counts = (without, mesh.triangles.len());
             (counts.0 > 0).then(|| {
                 texture_errors::no_coordinates(self.name, &texture.name, said.span, counts)
             })

@@ -224,6 +224,7 @@ impl One<'_> {
         const UNUSED: u32 = u32::MAX;
         let mut corners = vec![(UNUSED, Vec3::ZERO); mesh.positions.len()];
         let mut normals = vec![UNUSED; mesh.normals.len()];
+        let mut laid = vec![UNUSED; mesh.coordinates.len()];
         let mirrors = to_metres.mirrors();
         for (number, triangle) in mesh.triangles.iter().enumerate() {
             let mut at = triangle.map(|i| {
@@ -253,7 +254,19 @@ impl One<'_> {
                 smooth = smooth.map(|[a, b, c]| [a, c, b]);
             }
             let slot = mesh.slots.get(number).copied().unwrap_or(0) as usize;
-            self.triangle(at.map(|(_, p)| p), at.map(|(i, _)| i), smooth, slot);
+            let triangle = self.triangle(at.map(|(_, p)| p), at.map(|(i, _)| i), smooth, slot);
+            let given = mesh.coordinates_of(number).filter(|_| self.is_charted(slot));
+            if let (Some(triangle), Some(of)) = (triangle, given) {
+                let [a, b, c] = of.map(|i| {
+                    let index = &mut laid[i as usize];
+                    if *index == UNUSED {
+                        *index = self.all.shapes.coordinate(mesh.coordinates[i as usize]);
+                    }
+                    *index
+                });
+                let of = if mirrors { [a, c, b] } else { [a, b, c] };
+                self.all.shapes.lay(triangle, of);
+            }
         }
     }
 

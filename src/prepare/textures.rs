@@ -1,15 +1,16 @@
-//! Textures of the scene → textures of the world, each once.
+//! Textures of the stage → textures of the world, each once.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
 use super::materials::as_f32;
-use crate::load::Stage;
+use crate::load::{Stage, StagedTexture};
+use crate::math::{Rgb, Texels, Values, srgb};
 use crate::optics::colour;
-use crate::render::textures::{Checker, Colour, Layout, Texture};
-use crate::scene::{self, Angle, Pair, Reflectance, Step, Textured};
+use crate::render::textures::{Checker, Colour, Filter, Image, Layout, Texture, Wrap};
+use crate::scene::{self, Angle, Pair, Reflectance, Step, TextureFilter, Textured};
 
 /// Textures as they are asked for.
 pub(super) struct Textures<'a> {
@@ -25,24 +26,64 @@ impl<'a> Textures<'a> {
     /// What a surface's colour becomes.
     pub fn colour(&mut self, said: &Textured<Reflectance>) -> Colour {
         let name = match said {
-            Textured::Plain(plain) => return Colour::Plain(as_f32(colour::reflected(&plain.0))),
+            Textured::Plain(plain) => return Colour::Plain(reflected(plain)),
             Textured::Texture(name) => name,
         };
-        let texture = &self.stage.texture(name).texture;
-        let known = self.known.entry(&texture.name.value);
-        Colour::Texture(known.or_insert_with(|| Arc::new(made(&texture.value))).clone())
+        let staged = self.stage.texture(name);
+        let known = self.known.entry(&staged.texture.name.value);
+        Colour::Texture(known.or_insert_with(|| Arc::new(texture(staged))).clone())
     }
 }
 
-fn made(texture: &scene::Texture) -> Texture {
-    let reflected = |said: &Reflectance| as_f32(colour::reflected(&said.0));
-    match texture {
-        scene::Texture::Checker(checker) => Texture::Checker(Checker {
+/// Memory of all pictures, in bytes; one that several textures share counts once.
+pub(super) fn bytes(stage: &Stage) -> u64 {
+    let mut seen = HashSet::new();
+    let texels = stage.textures.iter().filter_map(|staged| staged.texels.as_ref());
+    texels.filter(|texels| seen.insert(Arc::as_ptr(texels))).map(|it| it.bytes() as u64).sum()
+}
+
+fn texture(staged: &StagedTexture) -> Texture {
+    match (&staged.texture.value.value, &staged.texels) {
+        (scene::Texture::Checker(checker), _) => Texture::Checker(Checker {
             layout: layout(&checker.squares, &checker.turn, &checker.offset),
             a: reflected(&checker.a),
             b: reflected(&checker.b),
         }),
+        (scene::Texture::Image(image), Some(texels)) => Texture::Image(Image {
+            layout: layout(&image.repeats, &image.turn, &image.offset),
+            texels: texels.clone(),
+            decoded: decoded(texels, staged.is_encoded()),
+            tint: reflected(&image.tint),
+            wrap: match image.wrap.value {
+                scene::Wrap::Repeat => Wrap::Repeat,
+                scene::Wrap::Clamp => Wrap::Clamp,
+                scene::Wrap::Mirror => Wrap::Mirror,
+            },
+            filter: match image.filter.value {
+                TextureFilter::Nearest => Filter::Nearest,
+                TextureFilter::Linear => Filter::Linear,
+            },
+        }),
+        (scene::Texture::Image(_), None) => unreachable!("load reads the picture of each image"),
     }
+}
+
+fn reflected(said: &Reflectance) -> Rgb {
+    as_f32(colour::reflected(&said.0))
+}
+
+/// What each value of a picture is worth, as light.
+fn decoded(texels: &Texels, encoded: bool) -> Arc<[f32]> {
+    let most: u16 = match &texels.values {
+        Values::Grey8(_) | Values::Rgb8(_) => 255,
+        Values::Grey16(_) | Values::Rgb16(_) => u16::MAX,
+        Values::Float(_) => return Arc::new([]),
+    };
+    let worth = |value: u16| {
+        let part = f64::from(value) / f64::from(most);
+        if encoded { srgb::decode(part) as f32 } else { part as f32 }
+    };
+    (0..=most).map(worth).collect()
 }
 
 fn layout(times: &Pair, turn: &Angle, offset: &Pair) -> Layout {

@@ -38,7 +38,7 @@ pub use object::{Disk, KaMeans, Mesh, Object, Plane, Quad, Sphere, Triangle};
 pub use paths::{Only, Paths};
 pub use sampler::{Independent, Sampler, Sobol, Stratified};
 pub use stop::Stop;
-pub use texture::{Checker, Texture, Textured};
+pub use texture::{Checker, Encoding, Image, Texture, TextureFilter, Textured, Wrap};
 pub use values::{
     Angle, Coefficient, Count, Depth, Direction, Exposure, FileName, Flux, Index, Intensity,
     Irradiance, Length, LightCount, Number, Pair, Place, Point, Radiance, Ref, Reflectance, Size,

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::schema::{Checked, Range, Type, Vocabulary};
 use super::vocabulary::vocabulary;
-use super::{Angle, At, Pair, Ref, Reflectance};
+use super::{Angle, At, FileName, Pair, Ref, Reflectance};
 
 vocabulary! {
     /// A colour that differs from place to place of a surface. It is laid on by the coordinates u
@@ -25,6 +25,61 @@ vocabulary! {
             /// How far it is turned about the origin of the coordinates, from u to v.
             turn: Angle = "0 deg";
         }
+        /// A picture from a file: PNG, JPEG, PNM, Radiance HDR or OpenEXR. It fills 1 of u and of
+        /// v, its lower left corner at the origin of the coordinates. What the file says of
+        /// gamma, profiles and orientation is not looked at; transparency is ignored, and told.
+        "image" => Image {
+            /// The file of the picture.
+            file: FileName;
+            /// How its values are encoded. Left out: `linear` for files of floating-point numbers,
+            /// `srgb` for all others.
+            encoding: Option<Encoding>;
+            /// What lies beyond its edges.
+            wrap: Wrap = "repeat";
+            /// How it is read between the centres of its texels.
+            filter: TextureFilter = "linear";
+            /// What its colours are multiplied by.
+            tint: Reflectance = "1";
+            /// How often it is repeated in 1 of u, and of v.
+            repeats: Pair = "(1, 1)", Range::above(0.0);
+            /// How far it is moved along u and v, after it was turned.
+            offset: Pair = "(0, 0)";
+            /// How far it is turned about the origin of the coordinates, from u to v.
+            turn: Angle = "0 deg";
+        }
+    }
+}
+
+vocabulary! {
+    /// How values of a picture are encoded.
+    pub words Encoding: "encoding" {
+        /// For displays, by the curve of sRGB.
+        "srgb" => Srgb
+        /// Not at all: they are light, or parts of light.
+        "linear" => Linear
+    }
+}
+
+vocabulary! {
+    /// What lies beyond the edges of a picture.
+    pub words Wrap: "wrapping" {
+        /// The picture again.
+        "repeat" => Repeat
+        /// The texels of its edge.
+        "clamp" => Clamp
+        /// The picture mirrored, and so on.
+        "mirror" => Mirror
+    }
+}
+
+vocabulary! {
+    /// How a picture is read between the centres of its texels. What is smaller than a pixel is
+    /// averaged by the samples of the pixel.
+    pub words TextureFilter: "texture filter" {
+        /// The texel that the place lies in.
+        "nearest" => Nearest
+        /// Between the four texels around it, in linear light.
+        "linear" => Linear
     }
 }
 
@@ -77,6 +132,7 @@ impl Texture {
     pub fn colours(&self) -> Vec<&At<Reflectance>> {
         match self {
             Self::Checker(checker) => vec![&checker.a, &checker.b],
+            Self::Image(image) => vec![&image.tint],
         }
     }
 }

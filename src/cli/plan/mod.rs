@@ -75,6 +75,8 @@ fn need<S: serde::Serializer>(need: &Need, serializer: S) -> Result<S::Ok, S::Er
 struct Memory {
     objects: Vec<OfObject>,
     geometry: u64,
+    /// Pictures of textures.
+    textures: u64,
     /// Sums of the film, the picture and its standard error.
     film: u64,
     /// Of the process, at most; None where the system does not tell.
@@ -235,6 +237,7 @@ fn one(
         memory: Memory {
             objects: objects.collect(),
             geometry: prepared.summary.bytes,
+            textures: prepared.summary.texture_bytes,
             film,
             peak: loaded.map(|peak| peak.saturating_add(film)),
         },

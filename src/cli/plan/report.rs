@@ -49,8 +49,12 @@ pub fn report(planned: &Planned) -> String {
 
 fn memory(planned: &Planned) -> Vec<String> {
     let memory = &planned.memory;
+    let textures = match memory.textures {
+        0 => String::new(),
+        bytes => format!("textures {}, ", size(bytes)),
+    };
     let mut all = vec![format!(
-        "geometry {}, film {}; the process {} at most",
+        "geometry {}, {textures}film {}; the process {} at most",
         size(memory.geometry),
         size(memory.film),
         memory.peak.map_or("an unknown amount".to_string(), size)

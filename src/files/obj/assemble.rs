@@ -1,6 +1,6 @@
 //! From tobj's arrays to a mesh, and what the scan noted of each triangle beside it.
 
-use glam::DVec3;
+use glam::{DVec3, Vec2};
 
 use super::{Excerpt, Obj};
 use crate::files::Failure;
@@ -15,12 +15,16 @@ pub(super) struct Triangles {
     pub slots: Vec<u32>,
     /// Whether the face has normals.
     pub with_normals: Vec<bool>,
+    /// The texture coordinates of its corners, as far as any triangle has all of them; others
+    /// before have [`Mesh::NO_COORDINATE`].
+    pub coordinates: Vec<[u32; 3]>,
 }
 
 /// The mesh of the one model that clean text makes.
 pub(super) fn assemble(
     models: Vec<tobj::Model>,
     triangles: Triangles,
+    coordinates: Vec<Vec2>,
     slots: Vec<(String, Excerpt)>,
     libraries: Vec<(String, Excerpt)>,
 ) -> Result<Obj, Failure> {
@@ -46,11 +50,17 @@ pub(super) fn assemble(
         Vec::new()
     };
     let (material_names, slots) = slots.into_iter().unzip();
+    let mut coordinate_indices = triangles.coordinates;
+    if !coordinate_indices.is_empty() {
+        coordinate_indices.resize(triangles.lines.len(), [Mesh::NO_COORDINATE; 3]);
+    }
     let mesh = Mesh {
         positions: vectors(&read.positions).collect(),
         normals: if normal_indices.is_empty() { Vec::new() } else { normals },
         triangles: read.indices.as_chunks::<3>().0.to_vec(),
         normal_indices,
+        coordinates: if coordinate_indices.is_empty() { Vec::new() } else { coordinates },
+        coordinate_indices,
         slots: triangles.slots,
         material_names,
     };

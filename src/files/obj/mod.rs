@@ -2,7 +2,7 @@
 //!
 //! Every statement is checked here first, with the place of each fault; tobj then reads the clean
 //! text that is left. Alone it panics on some input, accepts NaN, makes triangles of points and
-//! lines, and tells no line. Texture coordinates are checked but not kept: nothing asks for them.
+//! lines, and tells no line. Texture coordinates go past it: they need no more than the scan knows.
 
 mod assemble;
 mod faults;
@@ -65,7 +65,13 @@ pub fn parse(bytes: &[u8], progress: &dyn Progress) -> Result<Reading, Failure> 
         Failure::new(format!("cannot be understood by the .obj reader: {error}"))
     })?;
     let notices = found.notices;
-    let obj = assemble::assemble(models, found.triangles, found.slots, found.libraries)?;
+    let obj = assemble::assemble(
+        models,
+        found.triangles,
+        found.coordinates,
+        found.slots,
+        found.libraries,
+    )?;
     Ok(Reading { obj: Some(obj), faults: Vec::new(), more: 0, notices })
 }
 

@@ -5,6 +5,7 @@ use crate::diag::Diagnostic;
 pub(super) mod file;
 pub(super) mod mesh;
 pub(super) mod mtl;
+pub(super) mod texture;
 
 /// Adds to the last fault of a file told that there are more.
 pub(super) fn and_more(fault: Diagnostic, file: &str, more: u64) -> Diagnostic {

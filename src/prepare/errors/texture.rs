@@ -4,7 +4,8 @@ use crate::diag::{Code, Diagnostic, Span};
 use crate::scene::At;
 
 /// A texture on a mesh that says nothing of where it lies. `at` is where the texture is named;
-/// of `all` triangles with the material so many have no coordinates.
+/// `without` of `all` triangles of the mesh have the texture and no
+/// coordinates.
 pub fn no_coordinates(
     object: &At<String>,
     texture: &str,
@@ -12,6 +13,7 @@ pub fn no_coordinates(
     (without, all): (usize, usize),
 ) -> Diagnostic {
     let some = without < all;
+    let have = if without == 1 { "has" } else { "have" };
     let part = if some { "parts of the mesh" } else { "the mesh" };
     let headline = format!(
         "{part} `{}` {} no coordinates for the texture `{texture}`",
@@ -23,7 +25,7 @@ pub fn no_coordinates(
         .label(object.span, "whose file does not say where");
     let told = match some {
         true => told.why(format!(
-            "In its .obj file {without} of {all} triangles of this material have no `vt` at some corner."
+            "{without} of its {all} triangles {have} this texture and no `vt` at some corner."
         )),
         false => told.why("The faces of its .obj file name no `vt`."),
     };

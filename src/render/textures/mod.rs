@@ -4,6 +4,7 @@
 //! mean.
 
 mod checker;
+mod image;
 mod layout;
 
 use std::sync::Arc;
@@ -11,6 +12,7 @@ use std::sync::Arc;
 use glam::DVec2;
 
 pub use checker::Checker;
+pub use image::{Filter, Image, Wrap};
 pub use layout::Layout;
 
 use crate::math::Rgb;
@@ -39,12 +41,15 @@ impl Colour {
 pub enum Texture {
     /// Squares in turn.
     Checker(Checker),
+    /// A picture.
+    Image(Image),
 }
 
 impl Texture {
     fn at(&self, uv: DVec2) -> Rgb {
         match self {
             Self::Checker(checker) => checker.at(uv),
+            Self::Image(image) => image.at(uv),
         }
     }
 }

@@ -7,11 +7,13 @@ use super::super::fan;
 use super::super::faults::{Of, Unread, What};
 use super::{Scan, whole};
 use crate::files::lines::{self, Line, Lines};
+use crate::math::Mesh;
 
 /// A corner of a face, counted from zero.
 #[derive(Clone, Copy)]
 pub(super) struct Corner {
     vertex: usize,
+    coordinates: Option<u32>,
     normal: Option<usize>,
 }
 
@@ -47,7 +49,12 @@ impl Scan<'_> {
         self.clean.push(b'\n');
         let slot = self.slot(line, words);
         let triangles = &mut self.found.triangles;
-        for _ in 2..corners.len() {
+        for i in 2..corners.len() {
+            let fan = [start, start + i - 1, start + i].map(|i| corners[i % corners.len()]);
+            if let [Some(a), Some(b), Some(c)] = fan.map(|corner| corner.coordinates) {
+                triangles.coordinates.resize(triangles.lines.len(), [Mesh::NO_COORDINATE; 3]);
+                triangles.coordinates.push([a, b, c]);
+            }
             triangles.lines.push(line.number as u32);
             triangles.slots.push(slot);
             triangles.with_normals.push(corners[0].normal.is_some());
@@ -90,7 +97,8 @@ impl Scan<'_> {
                 }
             }
         }
-        Some(Corner { vertex: indices[0]?, normal: indices[2] })
+        let coordinates = indices[1].map(|index| index as u32);
+        Some(Corner { vertex: indices[0]?, coordinates, normal: indices[2] })
     }
 
     /// An index counted from zero. Those of things to come are looked at in the end.

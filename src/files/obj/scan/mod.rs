@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use std::io::{self, BufRead, Read};
 use std::ops::Range;
 
-use glam::DVec3;
+use glam::{DVec3, Vec2};
 
 use super::Excerpt;
 use super::assemble::Triangles;
@@ -37,6 +37,8 @@ pub(super) struct Found {
     pub more: u64,
     pub notices: Vec<Notice>,
     pub triangles: Triangles,
+    /// Texture coordinates.
+    pub coordinates: Vec<Vec2>,
     pub slots: Vec<(String, Excerpt)>,
     pub libraries: Vec<(String, Excerpt)>,
     /// Statements of the format, and others.
@@ -55,7 +57,6 @@ pub(super) struct Scan<'a> {
     clean: Vec<u8>,
     taken: usize,
     positions: Vec<DVec3>,
-    textures: usize,
     normals: usize,
     /// The largest index of each kind that was ahead of its time.
     ahead: [i64; 3],
@@ -79,7 +80,6 @@ impl<'a> Scan<'a> {
             clean: Vec::new(),
             taken: 0,
             positions: Vec::new(),
-            textures: 0,
             normals: 0,
             ahead: [0; 3],
             slot: None,
@@ -91,6 +91,7 @@ impl<'a> Scan<'a> {
                 more: 0,
                 notices: Vec::new(),
                 triangles: Triangles::default(),
+                coordinates: Vec::new(),
                 slots: Vec::new(),
                 libraries: Vec::new(),
                 understood: 0,
@@ -114,7 +115,7 @@ impl<'a> Scan<'a> {
 
     /// How many there are so far, in the order of [`Of::ALL`].
     fn counts(&self) -> [usize; 3] {
-        [self.positions.len(), self.textures, self.normals]
+        [self.positions.len(), self.found.coordinates.len(), self.normals]
     }
 
     /// Makes a piece of clean text; false at the end of the file.
@@ -147,8 +148,8 @@ impl<'a> Scan<'a> {
         match &bytes[words[0].clone()] {
             b"v" => self.vertex(line, words),
             b"vt" => {
-                self.textures += 1;
-                self.numbers("vt", 1, 3, line, words);
+                let [u, v, ..] = self.numbers("vt", 1, 3, line, words);
+                self.found.coordinates.push(Vec2::new(u as f32, v as f32));
             }
             b"vn" => self.normal(line, words),
             b"f" | b"fo" => self.face(line, words),
