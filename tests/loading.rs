@@ -319,7 +319,7 @@ fn what_is_not_rendered_warns_and_what_has_no_effect_does_not() {
     assert_eq!(warned("Kd 1\nKs 1 1 1\nillum 2"), without("highlights"));
     assert_eq!(warned("Kd 1\nKs 1 1 1\nillum 3"), without("a mirror"));
     assert_eq!(
-        warned("Kd 1\nillum 4\nd 0.5\nmap_Kd a.png"),
+        warned("Kd 1\nillum 4\nd 0.5\nmap_Ks a.png"),
         without("glass, transparency and a texture")
     );
     assert_eq!(warned("Kd 1.5"), ["the material `white` gives back more light than it gets"]);

@@ -300,3 +300,33 @@ fn a_scene_is_another_when_its_picture_is() {
     let second = open(folder.path(), &text).ok().unwrap().stage;
     assert!(first.hash != second.hash && first.light_hash != second.light_hash);
 }
+
+#[test]
+fn a_mtl_file_names_pictures_beside_it_and_multiplies_them() {
+    let folder = folder();
+    std::fs::create_dir(folder.path().join("old")).unwrap();
+    std::fs::copy(folder.path().join("six.pgm"), folder.path().join("old/my six.pgm")).unwrap();
+    let obj = format!("mtllib old/card.mtl\n{OBJ}usemtl a\nf 1/1 2/2 3/3 4/4\n");
+    std::fs::write(folder.path().join("card.obj"), obj).unwrap();
+    let mesh = format!("{FRONT}object card: mesh {{ file: \"card.obj\", unit: m }}\n");
+    let seen = |mtl: &str| {
+        std::fs::write(folder.path().join("old/card.mtl"), format!("newmtl a\n{mtl}\n")).unwrap();
+        open(folder.path(), &lit((2, 2), &mesh)).map(|shot| {
+            let picture = shot.picture(&shot.prepare(1.0), 0);
+            (picture, shot.stage.files.len())
+        })
+    };
+    let (plain, files) = seen("map_Kd my six.pgm").unwrap_or_else(|report| panic!("{report}"));
+    assert_eq!(files, 3);
+    let (half, _) = seen("Kd 0.5 0.5 0.5\nmap_Kd -blendu on my six.pgm").ok().unwrap();
+    assert!(plain.pixels[0].g > 0.03);
+    for (plain, half) in plain.pixels.iter().zip(&half.pixels) {
+        assert!((0.5 * plain.g - half.g).abs() < 1e-6);
+    }
+    let report = seen("map_Kd ../six.pgm").err().unwrap();
+    assert!(report.contains("names the file `../six.pgm`, which is not in its folder"), "{report}");
+    let report = seen("map_Kd my_six.pgm").err().unwrap();
+    assert!(report.contains("does not exist") && report.contains("my six.pgm"), "{report}");
+    let report = seen("map_Kd -o 1 1 my six.pgm").err().unwrap();
+    assert!(report.contains("without the options of its texture"), "{report}");
+}

@@ -111,6 +111,7 @@ codes! {
     LINT_UNUSED_MATERIAL = "lint/unused-material";
     LINT_UNUSED_PARAMETER = "lint/unused-parameter";
     LINT_UNUSED_SETUP = "lint/unused-setup";
+    LINT_UNUSED_TEXTURE = "lint/unused-texture";
     LINT_UNUSED_VARIABLE = "lint/unused-variable";
     MESH_BAD_INDEX = "mesh/bad-index";
     MESH_BAD_NUMBER = "mesh/bad-number";

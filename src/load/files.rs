@@ -30,6 +30,9 @@ pub(super) struct ObjFile {
 /// A .mtl file that was read.
 pub(super) struct MtlFile {
     pub library: mtl_file::Library,
+    /// As it is named, and where it is.
+    pub name: String,
+    pub path: PathBuf,
     /// Its text among the sources.
     pub source: FileId,
     /// Its length, and the digest of its bytes.
@@ -211,7 +214,8 @@ fn read_mtl(asked: Asked, sources: &mut Sources, found: &mut Vec<Diagnostic>) ->
     }
     let digest = Sha256::digest(&bytes).into();
     let whole = library.faults.is_empty();
-    whole.then_some(MtlFile { library, source, bytes: bytes.len() as u64, digest })
+    let (name, path) = (asked.name.to_string(), asked.path.to_path_buf());
+    whole.then_some(MtlFile { library, name, path, source, bytes: bytes.len() as u64, digest })
 }
 
 /// Faults beyond those told one by one are counted with the last of these.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use sha2::{Digest, Sha256};
 
 use super::files::Shelf;
-use super::{SceneHash, Stage, StagedFile, meshes, textures};
+use super::{SceneHash, Stage, StagedFile, StagedTexture, meshes, textures};
 use crate::diag::{Diagnostic, Level, Sources};
 use crate::math::Progress;
 use crate::scene::{Object, Scene};
@@ -50,7 +50,12 @@ impl<'a> Loader<'a> {
         let mut found = Vec::new();
         let mut used: Vec<Used> = Vec::new();
         let mut staged = Vec::new();
-        let mut whole = true;
+        let mut desk =
+            textures::Desk { shelf: &mut self.shelf, found: &mut found, used: &mut used };
+        let mut textures: Vec<StagedTexture> =
+            scene.textures.iter().filter_map(|texture| desk.stage(texture)).collect();
+        // A file that could not be read is told once, and fails every scene.
+        let mut whole = textures.len() == scene.textures.len();
         for object in &scene.objects {
             let Object::Mesh(mesh) = &object.value.value else {
                 staged.push(None);
@@ -62,15 +67,12 @@ impl<'a> Loader<'a> {
                 scene,
                 found: &mut found,
                 used: &mut used,
+                textures: &mut textures,
             };
             let mesh = desk.stage(&object.name.value, mesh);
             whole &= mesh.is_some();
             staged.push(mesh);
         }
-        let mut desk =
-            textures::Desk { shelf: &mut self.shelf, found: &mut found, used: &mut used };
-        let textures = scene.textures.iter().filter_map(|texture| desk.stage(texture));
-        let textures = textures.collect();
         whole &= found.iter().all(|diagnostic| diagnostic.level < Level::Error);
         let stage = whole.then(|| Stage {
             scene: scene.clone(),

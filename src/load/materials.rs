@@ -1,13 +1,18 @@
 //! Wavefront materials as materials of the scene, as far as they can be rendered.
 //!
-//! Kd is the albedo; Ke, and Ka where the scene says so, is what the surface emits. What asks for
+//! Kd is the albedo, times the picture of map_Kd; Ke, and Ka where the scene says so, is what the surface emits. What asks for
 //! more is rendered as diffuse, with a warning that says so.
+
+use std::path::PathBuf;
 
 use super::errors::mtl as errors;
 use crate::diag::{Diagnostic, FileId, Span};
 use crate::files::mtl::{self, Said};
 use crate::math::Spectrum;
-use crate::scene::{self, At, Diffuse, KaMeans, Named, Radiance, Reflectance, Sides, Textured};
+use crate::scene::{
+    self, Angle, At, Diffuse, FileName, Image, KaMeans, Named, Pair, Radiance, Ref, Reflectance,
+    Sides, Texture, TextureFilter, Textured, Wrap,
+};
 
 /// The source a material's places are in.
 #[derive(Clone, Copy)]
@@ -20,11 +25,36 @@ pub(super) fn shines_unclearly(said: &mtl::Material) -> bool {
     said.ambient.as_ref().is_some_and(|ka| ka.value != [0.0; 3])
 }
 
+/// The texture of a map_Kd: the picture times Kd, or as it is where there is no Kd.
+pub(super) fn texture(
+    name: String,
+    said: &mtl::Material,
+    map: &Said<mtl::Map>,
+    at: Place,
+    path: PathBuf,
+) -> Named<Texture> {
+    let span = at.span(map);
+    let tint = said.diffuse.as_ref().map_or([1.0; 3], |kd| kd.value);
+    let wrap = if map.value.clamp { Wrap::Clamp } else { Wrap::Repeat };
+    let image = Image {
+        file: At::new(FileName { text: map.value.file.clone(), path }, span),
+        encoding: At::new(None, span),
+        wrap: At::new(wrap, span),
+        filter: At::new(TextureFilter::Linear, span),
+        tint: At::new(Reflectance(Spectrum::Rgb(tint)), span),
+        repeats: At::new(Pair([1.0; 2]), span),
+        offset: At::new(Pair([0.0; 2]), span),
+        turn: At::new(Angle(0.0), span),
+    };
+    Named { name: At::new(name, span), value: At::new(Texture::Image(image), span) }
+}
+
 /// As the scene would have declared it. `ambient` is given wherever Ka is not zero.
 pub(super) fn scene_material(
     said: &mtl::Material,
     at: Place,
     ambient: Option<KaMeans>,
+    texture: Option<At<Ref<Texture>>>,
 ) -> Named<scene::Material> {
     let whole = at.span(&said.name);
     let black = || At::new([0.0; 3], whole);
@@ -42,7 +72,10 @@ pub(super) fn scene_material(
         };
     }
     let diffuse = Diffuse {
-        albedo: albedo.map(|rgb| Textured::Plain(Reflectance(Spectrum::Rgb(rgb)))),
+        albedo: match texture {
+            Some(texture) => texture.map(Textured::Texture),
+            None => albedo.map(|rgb| Textured::Plain(Reflectance(Spectrum::Rgb(rgb)))),
+        },
         emission: emission.map(|rgb| Radiance(Spectrum::Rgb(rgb))),
         emits: At::new(Sides::Front, whole),
     };
@@ -63,7 +96,10 @@ pub(super) fn warn(said: &mtl::Material, at: Place, field: Span, found: &mut Vec
         Some(kd) if kd.value.iter().any(|part| *part > 1.0) => {
             found.push(errors::above_one(name, at.span(kd)));
         }
-        None if said.emissive.is_none() && !shines_unclearly(said) => {
+        None if said.emissive.is_none()
+            && said.diffuse_map.is_none()
+            && !shines_unclearly(said) =>
+        {
             found.push(errors::no_colour(name, at.span(&said.name)));
         }
         _ => {}
@@ -94,10 +130,13 @@ fn left_out(said: &mtl::Material, at: Place) -> Vec<(&'static str, Span)> {
     if let Some(d) = said.dissolve.as_ref().filter(|d| d.value < 1.0) {
         left_out.push(("transparency", at.span(d)));
     }
+    if let Some(map) = said.diffuse_map.as_ref().filter(|map| map.value.options) {
+        left_out.push(("the options of its texture", at.span(map)));
+    }
     for other in &said.others {
         let words = match other.value.as_str() {
-            "map_Kd" | "map_Ka" | "map_Ks" | "map_Ke" | "map_Ns" | "map_d" | "map_Pr"
-            | "map_Pm" | "map_Ps" | "decal" => "a texture",
+            "map_Ka" | "map_Ks" | "map_Ke" | "map_Ns" | "map_d" | "map_Pr" | "map_Pm"
+            | "map_Ps" | "decal" => "a texture",
             "bump" | "map_bump" | "map_Bump" | "norm" | "disp" => "a bumpy surface",
             "refl" | "map_refl" => "a reflected picture",
             "Tf" => "coloured glass",

@@ -6,9 +6,10 @@ use std::rc::Rc;
 use super::errors::{file, mesh as errors, mtl};
 use super::files::{self, Asked, MtlFile, ObjFile, Shelf};
 use super::loader::Used;
-use super::{StagedFile, StagedMesh, materials};
+use super::{StagedFile, StagedMesh, StagedTexture, materials, textures};
 use crate::diag::{Diagnostic, Sources, Span};
-use crate::scene::{self, Material, Named, Scene};
+use crate::files::mtl::Material as Said;
+use crate::scene::{self, At, Material, Named, Ref, Scene, Texture};
 
 /// What staging a mesh works with.
 pub(super) struct Desk<'a, 'p> {
@@ -17,7 +18,12 @@ pub(super) struct Desk<'a, 'p> {
     pub scene: &'a Scene,
     pub found: &'a mut Vec<Diagnostic>,
     pub used: &'a mut Vec<Used>,
+    /// Textures, those of .mtl files added.
+    pub textures: &'a mut Vec<StagedTexture>,
 }
+
+/// There is an error, which was told.
+struct Told;
 
 /// Where a material slot gets its material from.
 enum Origin<'s> {
@@ -76,7 +82,14 @@ impl Desk<'_, '_> {
                         if ambient.is_none() && materials::shines_unclearly(said) {
                             shining.push((name.as_str(), at, said));
                         }
-                        staged.push(materials::scene_material(said, at, ambient));
+                        let texture = match self.map(library, said, span) {
+                            Ok(texture) => texture,
+                            Err(Told) => {
+                                whole = false;
+                                None
+                            }
+                        };
+                        staged.push(materials::scene_material(said, at, ambient, texture));
                     }
                     None => missing.push(slot),
                 },
@@ -157,6 +170,33 @@ impl Desk<'_, '_> {
         Some(library)
     }
 
+    /// The texture of a material's map_Kd, if it has one.
+    fn map(
+        &mut self,
+        library: &MtlFile,
+        said: &Said,
+        field: Span,
+    ) -> Result<Option<At<Ref<Texture>>>, Told> {
+        let Some(map) = &said.diffuse_map else { return Ok(None) };
+        let at = materials::Place { library: library.source };
+        let span = at.span(map);
+        let Some(path) = beside(&library.path, &map.value.file) else {
+            self.found.push(file::outside(&library.name, &map.value.file, span, field));
+            return Err(Told);
+        };
+        let mut name = format!("{} of {}", map.value.file, said.name.value);
+        while let Some(known) = self.textures.iter().find(|t| t.texture.name.value == name) {
+            if known.texture.value.span == span {
+                return Ok(Some(At::new(Ref::new(name), span)));
+            }
+            name.push('\'');
+        }
+        let texture = materials::texture(name.clone(), said, map, at, path);
+        let mut desk = textures::Desk { shelf: self.shelf, found: self.found, used: self.used };
+        self.textures.push(desk.stage(&texture).ok_or(Told)?);
+        Ok(Some(At::new(Ref::new(name), span)))
+    }
+
     fn missing_material(
         &mut self,
         object: &str,
@@ -200,14 +240,14 @@ fn find<'l>(
     })
 }
 
-/// The path of a .mtl file an .obj file names; None if it leads out of the folder of the latter.
-fn beside(obj: &Path, name: &str) -> Option<PathBuf> {
+/// The path of a file that another one names, an .obj or .mtl file; None if it leads out of the folder of the latter.
+fn beside(file: &Path, name: &str) -> Option<PathBuf> {
     let name = name.replace('\\', "/");
     let drive = name.as_bytes().get(1) == Some(&b':');
     let inside = |part| matches!(part, Component::Normal(_) | Component::CurDir);
     let path = Path::new(&name);
     let inside = !drive && path.components().all(inside);
-    inside.then(|| obj.parent().unwrap_or(Path::new("")).join(path))
+    inside.then(|| file.parent().unwrap_or(Path::new("")).join(path))
 }
 
 /// Where something of a .mtl file stands, among the sources.

@@ -32,7 +32,7 @@ vocabulary! {
         "diffuse" => Diffuse {
             /// The part of the light that is scattered back.
             albedo: Textured<Reflectance>;
-            /// What it shines of itself. A surface with an emission is a lamp.
+            /// What it shines of itself, the same all over. A surface with an emission is a lamp.
             emission: Radiance = "0 W/m^2/sr";
             /// Which of its sides shine.
             emits: Sides = "front";

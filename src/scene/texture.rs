@@ -128,7 +128,7 @@ impl<T: Vocabulary> Vocabulary for Textured<T> {
 }
 
 impl Texture {
-    /// The colours that it says.
+    /// The colours that it says: of a picture, what it is multiplied by.
     pub fn colours(&self) -> Vec<&At<Reflectance>> {
         match self {
             Self::Checker(checker) => vec![&checker.a, &checker.b],

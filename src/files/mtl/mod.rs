@@ -4,6 +4,7 @@
 //! panics on `Kd 1`, which is a grey, and tells no line.
 
 mod faults;
+mod map;
 mod scan;
 
 use std::ops::Range;
@@ -11,6 +12,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::Failure;
 pub use faults::{Fault, What};
+pub use map::Map;
 
 /// The longest file, in bytes.
 pub const LIMIT: u64 = 8_000_000;
@@ -52,6 +54,8 @@ pub struct Material {
     pub ambient: Option<Said<[f64; 3]>>,
     /// Kd: diffuse reflectance.
     pub diffuse: Option<Said<[f64; 3]>>,
+    /// map_Kd: the picture that Kd is multiplied by.
+    pub diffuse_map: Option<Said<Map>>,
     /// Ks: specular reflectance.
     pub specular: Option<Said<[f64; 3]>>,
     /// Ke: emission.

@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::{Fault, Library, Material, Said, What};
+use super::{Fault, Library, Material, Said, What, map};
 use crate::files::lines::{self, Line, Lines};
 
 /// The most faults that are told one by one.
@@ -75,6 +75,10 @@ impl Scan {
             "illum" => self.illum(text, words, at),
             // White: no filter at all.
             "Tf" if words[1..].iter().all(|w| text[w.clone()].parse() == Ok(1.0)) => {}
+            "map_Kd" => match map::parse(text, words) {
+                Some(value) => self.material().diffuse_map = Some(Said { value, at }),
+                None => self.material().others.push(Said { value: word.to_string(), at }),
+            },
             _ if OTHERS.contains(&word) => {
                 let value = word.to_string();
                 self.material().others.push(Said { value, at });
@@ -214,6 +218,7 @@ impl Material {
             name,
             ambient: None,
             diffuse: None,
+            diffuse_map: None,
             specular: None,
             emissive: None,
             exponent: None,

@@ -35,7 +35,8 @@ fn values_come_with_their_places() {
     assert_eq!(a.ambient.as_ref().unwrap().value, [0.0; 3]);
     assert_eq!((a.exponent.as_ref().unwrap().value, a.index.as_ref().unwrap().value), (90.0, 1.5));
     assert_eq!((a.dissolve.as_ref().unwrap().value, a.illum.as_ref().unwrap().value), (0.75, 2));
-    assert_eq!(a.others.iter().map(|o| o.value.as_str()).collect::<Vec<_>>(), ["map_Kd"]);
+    assert_eq!(a.others.iter().map(|o| o.value.as_str()).collect::<Vec<_>>(), [""; 0]);
+    assert_eq!(a.diffuse_map.as_ref().map(|map| map.value.file.as_str()), Some("a.png"));
     assert_eq!((b.dissolve.as_ref().unwrap().value, b.diffuse.is_none()), (0.5, true));
     assert_eq!(b.others[0].value, "Pr");
 }

@@ -5,9 +5,23 @@ use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::math::Spectrum;
 use crate::optics::colour;
+use crate::plan::largest_of;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
-    for (_, albedo) in shot.reflectances() {
+    // Those of .mtl files come after those of the scene.
+    let textures = shot.stage.textures.iter().take(shot.stage.scene.textures.len());
+    let images = textures.filter(|staged| staged.texels.is_some());
+    let mut tints: Vec<Span> = Vec::new();
+    for image in images {
+        // A picture may be dark enough for a tint above 1.
+        let said = &image.texture.value;
+        tints.extend(said.value.colours().iter().map(|tint| tint.span));
+        let (most, label) = channels(largest_of(image));
+        if most > 1.0 {
+            found.push(above_one(most, format!("its brightest texels are {label}"), said.span));
+        }
+    }
+    for (_, albedo) in shot.reflectances().filter(|(_, albedo)| !tints.contains(&albedo.span)) {
         let (most, label) = match &albedo.0 {
             Spectrum::Table(table) => {
                 let nodes = table.nodes().iter();

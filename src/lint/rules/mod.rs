@@ -36,6 +36,7 @@ mod unused_let;
 mod unused_material;
 mod unused_parameter;
 mod unused_setup;
+mod unused_texture;
 mod unused_variable;
 
 use super::{Look, Rule};
@@ -79,5 +80,6 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_UNUSED_MATERIAL, look: Look::Text(unused_material::look) },
     Rule { code: Code::LINT_UNUSED_PARAMETER, look: Look::Text(unused_parameter::look) },
     Rule { code: Code::LINT_UNUSED_SETUP, look: Look::Text(unused_setup::look) },
+    Rule { code: Code::LINT_UNUSED_TEXTURE, look: Look::Text(unused_texture::look) },
     Rule { code: Code::LINT_UNUSED_VARIABLE, look: Look::Text(unused_variable::look) },
 ];

@@ -30,13 +30,13 @@ pub fn unreadable(
     }
 }
 
-/// A .mtl file outside of the folder of the .obj file that names it.
+/// A .mtl file or a picture outside of the folder of the .obj or .mtl file that names it.
 pub fn outside(obj: &str, name: &str, span: Span, field: Span) -> Diagnostic {
     Diagnostic::error(
         Code::FILE_OUTSIDE_FOLDER,
         format!("`{obj}` names the file `{name}`, which is not in its folder"),
     )
-    .label(span, "leads out of the folder of the .obj file")
+    .label(span, "leads out of the folder of the file that names it")
     .label(field, "this file says so")
     .why("A mesh from elsewhere could read any file of this computer that way.")
     .help("put the .mtl file beside the .obj file, or name it in the scene: `mtl: \"…\"`")
