@@ -181,7 +181,7 @@ impl Desk<'_, '_> {
         let at = materials::Place { library: library.source };
         let span = at.span(map);
         let Some(path) = beside(&library.path, &map.value.file) else {
-            self.found.push(file::outside(&library.name, &map.value.file, span, field));
+            self.found.push(file::outside_picture(&library.name, &map.value.file, span, field));
             return Err(Told);
         };
         let mut name = format!("{} of {}", map.value.file, said.name.value);

@@ -30,14 +30,26 @@ pub fn unreadable(
     }
 }
 
-/// A .mtl file or a picture outside of the folder of the .obj or .mtl file that names it.
+/// A .mtl file outside of the folder of the .obj file that names it.
 pub fn outside(obj: &str, name: &str, span: Span, field: Span) -> Diagnostic {
+    elsewhere(obj, name, span, field)
+        .help("put the .mtl file beside the .obj file, or name it in the scene: `mtl: \"…\"`")
+}
+
+/// A picture outside of the folder of the .mtl file that names it.
+pub fn outside_picture(mtl: &str, name: &str, span: Span, field: Span) -> Diagnostic {
+    elsewhere(mtl, name, span, field).help(
+        "put the picture beside the .mtl file, or give the mesh a material of the scene, with a \
+         texture that names it",
+    )
+}
+
+fn elsewhere(file: &str, name: &str, span: Span, field: Span) -> Diagnostic {
     Diagnostic::error(
         Code::FILE_OUTSIDE_FOLDER,
-        format!("`{obj}` names the file `{name}`, which is not in its folder"),
+        format!("`{file}` names the file `{name}`, which is not in its folder"),
     )
     .label(span, "leads out of the folder of the file that names it")
-    .label(field, "this file says so")
+    .label(field, "this mesh uses it")
     .why("A mesh from elsewhere could read any file of this computer that way.")
-    .help("put the .mtl file beside the .obj file, or name it in the scene: `mtl: \"…\"`")
 }

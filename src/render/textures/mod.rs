@@ -11,8 +11,8 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
+pub use self::image::{Filter, Image, Wrap};
 pub use checker::Checker;
-pub use image::{Filter, Image, Wrap};
 pub use layout::Layout;
 
 use crate::math::Rgb;
