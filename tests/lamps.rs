@@ -3,11 +3,13 @@
 
 mod by_hand;
 
+use std::f64::consts::PI;
+
 use glam::{DVec3, dvec3};
 use scn::measure::statistics::{Moments, agrees};
 use scn::scene::{self, Integrator};
 
-use by_hand::{Hand, direct, path};
+use by_hand::{Hand, at, direct, path};
 
 fn tracer(change: impl Fn(&mut scene::Path)) -> Integrator {
     let mut tracer = path();
@@ -31,7 +33,7 @@ fn a_point_gives_its_intensity_over_the_square_of_the_distance() {
                 .point(dvec3(tilt, 0.0, height) * scale, 2.0 * scale * scale)
                 .camera(DVec3::Z * 4.0 * scale, DVec3::ZERO, 0.001);
             let d = tilt.hypot(height);
-            let truth = 0.5 / std::f64::consts::PI * 2.0 / (d * d) * (height / d);
+            let truth = 0.5 / PI * 2.0 / (d * d) * (height / d);
             let found = f64::from(hand.picture().pixels[0].g);
             assert!((found / truth - 1.0).abs() < 3e-4, "{scale} {height}: {found} {truth}");
         }
@@ -44,7 +46,7 @@ fn a_spot_is_a_point_within_its_cone() {
         let hand = Hand::new(direct())
             .material("floor", 1.0, 0.0)
             .quad(DVec3::ZERO, DVec3::X, DVec3::Y, "floor")
-            .spot(dvec3(off, 0.0, 1.0), dvec3(off, 0.0, 0.0), std::f64::consts::PI, angles)
+            .spot(dvec3(off, 0.0, 1.0), dvec3(off, 0.0, 0.0), PI, angles)
             .camera(DVec3::Z * 4.0, DVec3::ZERO, 0.001);
         f64::from(hand.picture().pixels[0].g)
     };
@@ -89,4 +91,192 @@ fn a_spot_that_fades_over_more_than_its_cone_is_refused() {
     assert_eq!(hand([20.0, 20.1]).codes(), ["scene/wide-falloff"]);
     let far = hand([20.0, 0.0]).point(DVec3::splat(1e17), 1.0);
     assert_eq!(far.codes(), ["scene/beyond-numbers"]);
+}
+
+/// Evenly spread samples, so that a few of them suffice.
+fn even(mut hand: Hand, samples: u64) -> Hand {
+    let round = at(scene::Count(samples));
+    hand.scene.sampler = at(scene::Sampler::Sobol(scene::Sobol { round }));
+    hand.samples(samples)
+}
+
+/// A white, tiny surface at the origin, seen from close by, among black surfaces that shine with a
+/// radiance of 1; its pixel is E/π.
+fn receiver(integrator: Integrator, normal: DVec3) -> Hand {
+    Hand::new(integrator)
+        .material("floor", 1.0, 0.0)
+        .material("lamp", 0.0, 1.0)
+        .disk(DVec3::ZERO, normal, 1e-3, "floor")
+        .camera(normal * 1e-2, DVec3::ZERO, 0.01)
+}
+
+/// Ways to find the light of a lamp, each with the samples it wants.
+fn ways() -> Vec<(&'static str, Integrator, u64)> {
+    vec![
+        ("direct", direct(), 512),
+        ("path", tracer(|_| ()), 512),
+        ("mis: off", tracer(|path| path.mis.value.0 = false), 512),
+    ]
+}
+
+/// Judges a lamp by all ways, and by chance alone if it is `large`.
+fn assert_irradiance(
+    name: &str,
+    normal: DVec3,
+    truth: f64,
+    large: bool,
+    add: impl Fn(Hand) -> Hand,
+) {
+    // Parts of a near disk's square miss it.
+    let more = if name.contains("disk") { 8 } else { 1 };
+    let mut ways = ways();
+    if large {
+        ways.push((
+            "next_event: off",
+            tracer(|path| path.next_event.value.0 = false),
+            16_384 / more,
+        ));
+    }
+    for (way, integrator, samples) in ways {
+        let samples = more * samples;
+        let found = even(add(receiver(integrator, normal)), samples).estimate();
+        assert_is(&format!("{name} by {way}"), &found, truth / PI, 0.003);
+    }
+}
+
+#[test]
+fn disks_give_their_irradiance() {
+    let disk = |name: &str, (radius, h, off): (f64, f64, f64), truth: f64, large: bool| {
+        assert_irradiance(name, DVec3::Z, truth, large, |hand| {
+            hand.disk(dvec3(off, 0.0, h), DVec3::NEG_Z, radius, "lamp")
+        });
+    };
+    disk("disk on axis", (1.0, 1.0, 0.0), 1.570_796, true);
+    disk("small disk", (0.5, 2.0, 0.0), 0.184_800, false);
+    disk("tiny disk", (1e-3, 1.0, 0.0), PI * 1e-6 / (1.0 + 1e-6), false);
+    disk("endless disk", (1e3, 1.0, 0.0), 3.141_589_5, true);
+    disk("disk aside", (1.0, 1.0, 1.0), 0.868_315, true);
+    disk("disk far aside", (1.0, 1.0, 2.0), 0.165_833, false);
+    disk("disk elsewhere", (0.75, 1.25, 1.5), 0.210_195, false);
+}
+
+#[test]
+fn rectangles_and_triangles_give_their_irradiance() {
+    let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+    assert_irradiance("rectangle", z, 1.740_840, true, |hand| hand.quad(z, y, x, "lamp"));
+    assert_irradiance("square", z, 0.752_275, true, |hand| hand.quad(z, y * 0.5, x * 0.5, "lamp"));
+    assert_irradiance("wall", z, 0.597_329, true, |hand| hand.quad(x + z, z, y, "lamp"));
+    let corners = [dvec3(-1.0, 1.0, 2.0), dvec3(2.0, 0.5, 1.0), dvec3(0.3, -1.5, 1.5)];
+    let triangle = |hand: Hand| hand.triangle(corners, "lamp");
+    assert_irradiance("triangle", z, 0.919_901, true, triangle);
+    let tilted = dvec3(1.0, 2.0, 2.0) / 3.0;
+    assert_irradiance("triangle across the horizon", tilted, 0.695_631, true, triangle);
+}
+
+#[test]
+fn spheres_give_their_irradiance() {
+    for (distance, degrees, truth) in [
+        (3.0, 0.0, 0.349_066),
+        (3.0, 60.0, 0.174_533),
+        (2.0, 80.0, 0.171_832),
+        (2.0, 90.0, 0.090_586),
+        (2.0, 100.0, 0.035_449),
+    ] {
+        let (sin, cos) = f64::to_radians(degrees).sin_cos();
+        let name = format!("sphere at {degrees} degrees");
+        let samples = if degrees > 85.0 { 4096 } else { 1024 };
+        for (way, integrator, _) in ways() {
+            let hand = receiver(integrator, DVec3::Z);
+            let centre = distance * dvec3(sin, 0.0, cos);
+            let found = even(hand.sphere(centre, 1.0, "lamp"), samples).estimate();
+            assert_is(&format!("{name} by {way}"), &found, truth / PI, 0.003);
+        }
+    }
+}
+
+#[test]
+fn faces_of_a_cube_see_each_other_by_their_form_factors() {
+    let (x, y, z) = (DVec3::X * 0.5, DVec3::Y * 0.5, DVec3::Z * 0.5);
+    for (name, truth, lamp) in
+        [("opposite", 0.199_825, [z * 2.0, y, x]), ("adjacent", 0.200_044, [x + z, z, y])]
+    {
+        for (way, integrator, _) in ways() {
+            let hand = Hand::new(integrator)
+                .material("floor", 1.0, 0.0)
+                .material("lamp", 0.0, 1.0)
+                .quad(DVec3::ZERO, x, y, "floor")
+                .quad(lamp[0], lamp[1], lamp[2], "lamp")
+                .camera(z, DVec3::ZERO, 90.0);
+            let found = even(hand, 16_384).estimate();
+            assert_is(&format!("{name} by {way}"), &found, truth, 0.003);
+        }
+    }
+}
+
+#[test]
+fn concentric_spheres_have_their_radiosities() {
+    for (towards, truth) in [(DVec3::ZERO, 1.089_109), (DVec3::Z * 2.0, 0.297_030)] {
+        let hand = Hand::new(tracer(|_| ()))
+            .material("inner", 0.3, 1.0 / PI)
+            .material("outer", 0.6, 0.0)
+            .sphere(DVec3::ZERO, 1.0, "inner")
+            .sphere(DVec3::ZERO, 2.0, "outer")
+            .camera(dvec3(0.0, 0.1, 1.5), towards, 1.0);
+        assert_is("concentric", &even(hand, 8192).estimate(), truth / PI, 0.005);
+    }
+}
+
+fn ambient(distance: Option<f64>) -> Integrator {
+    Integrator::Ambient(scene::Ambient {
+        rays: at(scene::Count(16)),
+        distance: at(distance.map(scene::Length)),
+        paths: at(None),
+        direct: at(scene::Switch(false)),
+        lights: at(scene::LightCount::All),
+        light_samples: at(scene::Count(1)),
+        specular_depth: at(scene::Depth::Most(10)),
+        splits: at(by_hand::splits(0, 0, 1)),
+        roulette: at(scene::Roulette::Throughput),
+    })
+}
+
+/// What a point of a white floor sees of a sky of 1, as a part.
+fn assert_seen(
+    name: &str,
+    (p, distance): (DVec3, Option<f64>),
+    truth: f64,
+    add: impl Fn(Hand) -> Hand,
+) {
+    let hand = Hand::new(ambient(distance)).material("white", 1.0, 0.0).background(1.0);
+    let hand = add(hand).camera(p + DVec3::Z * 1e-3, p, 0.01);
+    let found = even(hand, 256).estimate();
+    let verdict = agrees(found.mean(), found.standard_error(), truth, 0.005);
+    assert!(verdict.holds(), "{name}: {verdict}");
+}
+
+#[test]
+fn surfaces_hide_the_sky_by_as_much_as_they_fill() {
+    let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+    let floor = |hand: Hand| hand.plane(DVec3::ZERO, z, "white");
+    assert_seen("wall", (x * 0.5, None), 0.723_607, |hand| {
+        floor(hand).quad(z * 0.5, y * 500.0, z * 0.5, "white")
+    });
+    for (p, truth) in [([0.5; 2], 0.239_456), ([1e-4; 2], 0.138_532), ([0.25; 2], 0.207_843)] {
+        assert_seen("cube", (dvec3(p[0], p[1], 0.0), None), truth, |hand| {
+            let (h, k, up) = (x * 0.5, y * 0.5, z * 0.5);
+            let hand = hand.quad(h + k, h, k, "white").quad(k + up, k, up, "white");
+            let hand = hand.quad(x + k + up, k, up, "white").quad(h + up, h, up, "white");
+            hand.quad(h + y + up, h, up, "white")
+        });
+    }
+    for (d, truth) in
+        [(0.25, 0.086_925), (0.5, 0.284_458), (1.0, 0.646_447), (2.0, 0.910_557), (4.0, 0.985_733)]
+    {
+        assert_seen("ball", (x * d, None), truth, |hand| floor(hand).sphere(z, 1.0, "white"));
+    }
+    for (k, truth) in [(0.5, 0.804_499), (0.25, 0.657_481), (0.1, 0.563_556)] {
+        assert_seen("nearby wall", (x * k, Some(1.0)), truth, |hand| {
+            floor(hand).quad(DVec3::ZERO, y * 50.0, z * 50.0, "white")
+        });
+    }
 }

@@ -213,7 +213,7 @@ impl LampParts {
     pub fn light(self, geometry: &Geometry, materials: &materials::Table) -> Light {
         let radiance = materials.emission(self.owner.material).unwrap_or_default();
         let centre = Centre::new(self.centroid / self.area, self.facing, self.reach);
-        Light::Lamp(Lamp::new(radiance, self.surfaces, geometry, centre))
+        Light::Lamp(Box::new(Lamp::new(radiance, self.surfaces, geometry, centre)))
     }
 }
 
@@ -258,7 +258,7 @@ pub(super) fn gather(
         }
         surroundings.push(light);
     }
-    Lights { all, surroundings, of_materials }
+    Lights::new(all, surroundings, of_materials)
 }
 
 /// What an integrator asks of lights and does not find.

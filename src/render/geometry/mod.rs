@@ -29,6 +29,7 @@ mod tests;
 use glam::Vec3;
 
 pub use ray::{Hit, Point, Ray, between};
+pub use sample::Form;
 pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 
 use ask::Walker;

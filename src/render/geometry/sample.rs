@@ -7,7 +7,73 @@ use super::{Geometry, Point, Primitive};
 use super::{disk, rounding, sphere, triangle};
 use crate::math::warp;
 
+/// What a primitive is, in f64, world units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Form {
+    /// Its corners, counter-clockwise seen from its front.
+    Triangle([DVec3; 3]),
+    /// Its front is outside.
+    Sphere {
+        /// Its centre.
+        centre: DVec3,
+        /// Its radius.
+        radius: f64,
+    },
+    /// Its front is where its normal points.
+    Disk {
+        /// Its centre.
+        centre: DVec3,
+        /// Unit length.
+        normal: DVec3,
+        /// Its radius.
+        radius: f64,
+    },
+    /// Without end.
+    Plane,
+}
+
 impl Geometry {
+    /// What a primitive is.
+    pub fn form(&self, primitive: Primitive) -> Form {
+        let index = primitive.index();
+        match primitive.kind() {
+            Kind::Triangle => Form::Triangle(self.shapes.exact_corners(index)),
+            Kind::Sphere => {
+                let sphere = &self.shapes.spheres[index];
+                let radius = f64::from(sphere.radius);
+                Form::Sphere { centre: sphere.centre.as_dvec3(), radius }
+            }
+            Kind::Disk => {
+                let disk = &self.shapes.disks[index];
+                let normal = disk.normal.as_dvec3().normalize_or(DVec3::Z);
+                let (centre, radius) = (disk.centre.as_dvec3(), f64::from(disk.radius));
+                Form::Disk { centre, normal, radius }
+            }
+            Kind::Plane => Form::Plane,
+        }
+    }
+
+    /// A point of a primitive that was computed in f64 from its form: as surfaces have points.
+    pub fn point(&self, primitive: Primitive, exact: DVec3) -> Point {
+        let index = primitive.index();
+        match primitive.kind() {
+            Kind::Triangle => {
+                let corners = self.shapes.exact_corners(index);
+                let [a, b, c] = corners;
+                let (position, error) = rounding::position(exact, a.abs() + b.abs() + c.abs());
+                let ng = triangle::normal(corners).normalize_or(DVec3::Z).as_vec3();
+                Point { position, error, ng }
+            }
+            Kind::Sphere => {
+                let sphere = &self.shapes.spheres[index];
+                let normal = (exact - sphere.centre.as_dvec3()).normalize_or(DVec3::Z);
+                sphere::point(sphere, normal)
+            }
+            Kind::Disk => disk::point(&self.shapes.disks[index], exact),
+            Kind::Plane => Point::free(exact.as_vec3()),
+        }
+    }
+
     /// Area of a primitive in square world units; +∞ for a plane.
     pub fn area(&self, primitive: Primitive) -> f64 {
         let index = primitive.index();
@@ -25,14 +91,9 @@ impl Geometry {
         let index = primitive.index();
         match primitive.kind() {
             Kind::Triangle => {
-                let corners = self.shapes.exact_corners(index);
-                let [a, b, c] = corners;
+                let [a, b, c] = self.shapes.exact_corners(index);
                 let weights = warp::square_to_triangle(u).as_dvec2();
-                let exact = a + weights.x * (b - a) + weights.y * (c - a);
-                let magnitude = a.abs() + b.abs() + c.abs();
-                let (position, error) = rounding::position(exact, magnitude);
-                let ng = triangle::normal(corners).normalize_or(DVec3::Z).as_vec3();
-                Some(Point { position, error, ng })
+                Some(self.point(primitive, a + weights.x * (b - a) + weights.y * (c - a)))
             }
             Kind::Sphere => {
                 let normal = warp::square_to_sphere(u).as_dvec3().normalize_or(DVec3::Z);

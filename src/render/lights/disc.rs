@@ -40,6 +40,11 @@ impl Disc {
         }
     }
 
+    /// About the irradiance it gives a surface square to its centre, in light units.
+    pub(super) fn irradiance(&self) -> f64 {
+        f64::from(self.radiance.luminance() / self.pdf_w)
+    }
+
     /// Radiance from a direction.
     pub fn radiance(&self, direction: Vec3) -> Rgb {
         if self.holds(direction) { self.radiance } else { Rgb::BLACK }

@@ -1,9 +1,11 @@
 //! Lamps with an area: the surfaces of one object that share one emitting material.
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::{DVec3, Vec3};
 
-use super::{Arrival, Geometry, Hit, Point, Site, between};
-use crate::math::{Rgb, random};
+use super::crowd::{Chosen, Crowd};
+use super::patch::Patch;
+use super::{Arrival, Emitter, Geometry, Hit, Point, Site, between};
+use crate::math::Rgb;
 use crate::render::geometry::Primitive;
 
 /// Surfaces that shine with the same radiance everywhere.
@@ -12,9 +14,15 @@ pub struct Lamp {
     radiance: Rgb,
     /// Whether the backs shine as well.
     both: bool,
-    surfaces: Vec<Primitive>,
-    /// Area up to and including each surface, in square world units. Ascending.
-    areas: Vec<f64>,
+    patches: Vec<Patch>,
+    /// From which one is chosen, if there are several.
+    crowd: Option<Crowd>,
+    /// Each primitive with the number of its patch; ascending.
+    numbers: Vec<(Primitive, u32)>,
+    /// What bounds it.
+    emitter: Emitter,
+    /// Of all surfaces, in square world units.
+    area: f64,
     centre: Centre,
 }
 
@@ -35,42 +43,51 @@ impl Lamp {
         geometry: &Geometry,
         centre: Centre,
     ) -> Self {
-        let mut total = 0.0;
-        let grow = |surface: &Primitive| {
-            total += geometry.area(*surface);
-            total
-        };
-        let areas = surfaces.iter().map(grow).collect();
-        Self { radiance, both, surfaces, areas, centre }
+        let area = surfaces.iter().map(|surface| geometry.area(*surface)).sum();
+        let patches = Patch::of(&surfaces, geometry);
+        let mut numbers: Vec<_> = (0..)
+            .zip(&patches)
+            .flat_map(|(number, patch)| patch.primitives().map(move |it| (it, number)))
+            .collect();
+        numbers.sort_unstable();
+        let emitters: Vec<_> = patches.iter().map(|it| it.emitter(geometry, both)).collect();
+        let crowd = Crowd::new(&emitters);
+        let bounds = crowd.as_ref().map(|crowd| *crowd.emitter());
+        let bounds = bounds.unwrap_or(Emitter::everywhere([DVec3::ZERO; 2], 0.0));
+        let emitter = bounds.times(f64::from(radiance.luminance()));
+        let crowd = crowd.filter(|_| patches.len() > 1);
+        Self { radiance, both, patches, crowd, numbers, emitter, area, centre }
     }
 
     /// Area of all surfaces, in square world units.
     pub fn area(&self) -> f64 {
-        self.areas.last().copied().unwrap_or(0.0)
+        self.area
     }
 
-    /// Light from a point of the lamp, uniform by area.
-    pub(super) fn sample(&self, geometry: &Geometry, at: &Point, u: [f64; 2]) -> Option<Arrival> {
-        let (surface, within) = self.choose(u[0])?;
-        let u = Vec2::new(random::unit_f32(within), random::unit_f32(u[1]));
-        let to = geometry.sample(surface, u)?;
-        self.arrive(at, &to)
+    /// What bounds it.
+    pub(super) fn emitter(&self) -> Emitter {
+        self.emitter
+    }
+
+    /// Light from a point of one of its surfaces.
+    pub(super) fn sample(&self, geometry: &Geometry, site: &Site, u: [f64; 2]) -> Option<Arrival> {
+        let chosen = match &self.crowd {
+            None => Chosen { number: 0, pmf: 1.0, u: u[0] },
+            Some(crowd) => crowd.choose(site, u[0])?,
+        };
+        let patch = self.patches.get(chosen.number)?;
+        let (point, wi, pdf_w) = patch.sample(geometry, (site, self.both), [chosen.u, u[1]])?;
+        let pdf_w = chosen.pmf * pdf_w;
+        let irradiance = self.radiance * (1.0 / pdf_w) as f32;
+        let shadow = between(&site.point, &point);
+        // Of what is tiny and far, no more than f32 holds.
+        let pdf_w = pdf_w.min(f64::from(f32::MAX)) as f32;
+        Some(Arrival { wi: wi.as_vec3(), irradiance, pdf_w, shadow })
     }
 
     /// Larsen's simplification: all flux from the centre, L = Lₑ A cos θ / r², θ at the lamp.
     pub(super) fn at_centre(&self, at: &Point) -> Option<Arrival> {
         self.arrive(at, &self.centre.point)
-    }
-
-    /// The surface in which the part `u` of the area lies, and where in it, again in [0, 1): one
-    /// number serves twice, so that stratified numbers stay stratified over the whole lamp.
-    fn choose(&self, u: f64) -> Option<(Primitive, f64)> {
-        let area = u * self.area();
-        let last = self.areas.len().checked_sub(1)?;
-        let index = self.areas.partition_point(|up_to| *up_to <= area).min(last);
-        let before = if index == 0 { 0.0 } else { self.areas[index - 1] };
-        let within = (area - before) / (self.areas[index] - before);
-        Some((self.surfaces[index], within.clamp(0.0, 1.0 - f64::EPSILON)))
     }
 
     /// The lamp's radiance times the solid angle its area would fill around `to`: Lₑ A cos θ / r².
@@ -90,11 +107,16 @@ impl Lamp {
     }
 
     /// Density with which `sample` gives the direction in which a ray from `site` met the lamp.
-    pub(super) fn pdf_w(&self, _geometry: &Geometry, site: &Site, hit: &Hit) -> f32 {
-        let way = hit.position.as_dvec3() - site.point.position.as_dvec3();
-        let distance_2 = way.length_squared();
-        let cos = (way.dot(hit.ng.as_dvec3())).abs() / distance_2.sqrt();
-        (distance_2 / (self.area() * cos)) as f32
+    pub(super) fn pdf_w(&self, geometry: &Geometry, site: &Site, hit: &Hit) -> f32 {
+        let found = self.numbers.binary_search_by_key(&hit.primitive, |(primitive, _)| *primitive);
+        let Some((_, number)) = found.ok().and_then(|index| self.numbers.get(index)) else {
+            return 0.0;
+        };
+        let number = *number as usize;
+        let pmf = self.crowd.as_ref().map_or(1.0, |crowd| crowd.pmf(site, number));
+        let point = hit.position.as_dvec3();
+        let pdf_w = self.patches[number].pdf_w(geometry, (site, self.both), point);
+        (pmf * pdf_w).min(f64::from(f32::MAX)) as f32
     }
 }
 

@@ -4,13 +4,21 @@
 //! density it would have given one that was found in another way ([`Light::pdf_w`],
 //! [`Surroundings::pdf_w`]): the two must agree, for paths weigh them against each other.
 
+mod choice;
+mod crowd;
 mod directional;
 mod disc;
 mod lamp;
+mod patch;
 mod point;
+mod rectangle;
 mod sky;
 mod spot;
 mod surroundings;
+mod triangle;
+
+#[cfg(test)]
+mod tests;
 
 pub use directional::Directional;
 pub use disc::Disc;
@@ -21,6 +29,9 @@ pub use spot::SpotLight;
 pub use surroundings::{Sight, Surroundings};
 
 use glam::Vec3;
+
+use choice::Choice;
+use crowd::Emitter;
 
 use super::geometry::{Geometry, Hit, Point, Ray, between};
 use super::materials::Bsdf;
@@ -35,7 +46,9 @@ pub struct Lights {
     pub surroundings: Vec<Surroundings>,
     /// By number of the material: the light of the surfaces that have it, [`Lights::NONE`] for
     /// none. A material that shines belongs to one object.
-    pub of_materials: Vec<u32>,
+    of_materials: Vec<u32>,
+    /// How one is chosen.
+    choice: Choice,
 }
 
 /// A light that can be asked.
@@ -44,7 +57,7 @@ pub enum Light {
     /// Parallel light from infinitely far away.
     Directional(Directional),
     /// A surface that shines.
-    Lamp(Lamp),
+    Lamp(Box<Lamp>),
     /// A point that shines alike in every direction.
     Point(PointLight),
     /// A point that shines within a cone.
@@ -93,10 +106,20 @@ impl Light {
     pub fn sample(&self, geometry: &Geometry, site: &Site, u: [f64; 2]) -> Option<Arrival> {
         match self {
             Self::Directional(directional) => Some(directional.arrive(&site.point)),
-            Self::Lamp(lamp) => lamp.sample(geometry, &site.point, u),
+            Self::Lamp(lamp) => lamp.sample(geometry, site, u),
             Self::Point(point) => point.arrive(&site.point),
             Self::Spot(spot) => spot.arrive(&site.point),
             Self::Surroundings(surroundings) => surroundings.sample(site, u),
+        }
+    }
+
+    /// What bounds it; None of what is infinitely far away.
+    fn emitter(&self) -> Option<Emitter> {
+        match self {
+            Self::Directional(_) | Self::Surroundings(_) => None,
+            Self::Lamp(lamp) => Some(lamp.emitter()),
+            Self::Point(point) => Some(point.emitter()),
+            Self::Spot(spot) => Some(spot.emitter()),
         }
     }
 
@@ -124,16 +147,27 @@ impl Lights {
     /// Stands for no light.
     pub const NONE: u32 = u32::MAX;
 
-    /// A light chosen by importance for a site, and the probability of that. `u` in [0, 1).
-    pub fn choose(&self, _site: &Site, u: f64) -> Option<(usize, f32)> {
-        let count = self.all.len();
-        let number = ((u * count as f64) as usize).min(count.checked_sub(1)?);
-        Some((number, 1.0 / count as f32))
+    /// With what is asked, what is seen, and by number of the material which of `all` the surfaces
+    /// that have it are.
+    pub fn new(all: Vec<Light>, surroundings: Vec<Surroundings>, of_materials: Vec<u32>) -> Self {
+        let choice = Choice::new(&all);
+        Self { all, surroundings, of_materials, choice }
+    }
+
+    /// A light chosen by importance for a site, and the probability of that. `u` in [0, 1). None:
+    /// no light gives the site any.
+    pub fn choose(&self, site: &Site, u: f64) -> Option<(usize, f32)> {
+        let (number, pmf) = match self.all.len() {
+            0 | 1 => (self.all.len().checked_sub(1)?, 1.0),
+            _ => self.choice.choose(site, u)?,
+        };
+        let pmf = pmf as f32;
+        (pmf > 0.0).then_some((number, pmf))
     }
 
     /// The probability with which [`Lights::choose`] gives this light.
-    pub fn pmf(&self, _site: &Site, _light: usize) -> f32 {
-        1.0 / self.all.len() as f32
+    pub fn pmf(&self, site: &Site, light: usize) -> f32 {
+        if self.all.len() == 1 { 1.0 } else { self.choice.pmf(site, light) as f32 }
     }
 
     /// The light that surfaces of a material are.

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{Arrival, Point, between};
+use super::{Arrival, Emitter, Point, between};
 use crate::math::Rgb;
 
 /// A point that shines alike in every direction.
@@ -16,6 +16,12 @@ pub struct PointLight {
 }
 
 impl PointLight {
+    /// What bounds it.
+    pub(super) fn emitter(&self) -> Emitter {
+        let position = self.position.as_dvec3();
+        Emitter::everywhere([position; 2], f64::from(self.intensity.luminance()))
+    }
+
     pub(super) fn arrive(&self, at: &Point) -> Option<Arrival> {
         let way = self.position.as_dvec3() - at.position.as_dvec3();
         let wi = way.try_normalize()?;

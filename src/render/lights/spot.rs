@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Arrival, Point, PointLight};
+use super::{Arrival, Emitter, Point, PointLight};
 
 /// A point that shines within a cone.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +22,13 @@ impl SpotLight {
         // 1 − cos θ, for small θ too.
         let fades = angles.map(|angle| 2.0 * (0.5 * angle).sin().powi(2));
         Self { bulb, axis, fades }
+    }
+
+    /// What bounds it.
+    pub(super) fn emitter(&self) -> Emitter {
+        let angle = 2.0 * (0.5 * self.fades[1]).sqrt().min(1.0).asin();
+        let intensity = f64::from(self.bulb.intensity.luminance());
+        Emitter::cone(self.bulb.position.as_dvec3(), self.axis.as_dvec3(), angle, intensity)
     }
 
     pub(super) fn arrive(&self, at: &Point) -> Option<Arrival> {

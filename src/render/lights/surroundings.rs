@@ -36,6 +36,16 @@ impl Sight {
 }
 
 impl Surroundings {
+    /// About the irradiance that it gives a surface which faces it, in light units.
+    pub(super) fn irradiance(&self) -> f64 {
+        match &self.sight {
+            Sight::Constant(radiance) => f64::from(PI * radiance.luminance()),
+            Sight::Disc(disc) => disc.irradiance(),
+            // Of light from all sides a surface gets a quarter.
+            Sight::Sky(sky) => 0.25 * f64::from(sky.total()),
+        }
+    }
+
     /// Radiance along a ray that goes there, in light units.
     pub fn radiance(&self, direction: Vec3) -> Rgb {
         match &self.sight {
