@@ -200,14 +200,14 @@ fn faces_of_a_cube_see_each_other_by_their_form_factors() {
     for (name, truth, lamp) in
         [("opposite", 0.199_825, [z * 2.0, y, x]), ("adjacent", 0.200_044, [x + z, z, y])]
     {
-        for (way, integrator, _) in ways() {
+        for (way, integrator, _) in ways().into_iter().take(2) {
             let hand = Hand::new(integrator)
                 .material("floor", 1.0, 0.0)
                 .material("lamp", 0.0, 1.0)
                 .quad(DVec3::ZERO, x, y, "floor")
                 .quad(lamp[0], lamp[1], lamp[2], "lamp")
                 .camera(z, DVec3::ZERO, 90.0);
-            let found = even(hand, 16_384).estimate();
+            let found = even(hand, 65_536).estimate();
             assert_is(&format!("{name} by {way}"), &found, truth, 0.003);
         }
     }
