@@ -54,10 +54,6 @@ const NARROW: f64 = 1e-6;
 /// Of less than this solid angle, in sr, what is sampled knows too few digits.
 const LEAST: f64 = 1e-8;
 
-/// A disk is near if its centre is closer than so many radii. By its square a fifth of the samples
-/// miss it; from further away the density by area varies less than that is worth.
-const NEAR_DISK: f64 = 4.0;
-
 /// Edges of a rectangle are square if the cosine between them is smaller, and its corners fit to
 /// this part of its size: rounding moves them so far.
 const SQUARE: f64 = 1e-6;
@@ -315,7 +311,9 @@ fn rectangle_way([corner, u, v]: [DVec3; 3], site: &Site, both: bool) -> Option<
 fn disk_way((centre, normal, radius): (DVec3, DVec3, f64), site: &Site, both: bool) -> Option<Way> {
     let height = height(centre, normal, site, both)?;
     let way = centre - site.point.position.as_dvec3();
-    if way.length() < NEAR_DISK * radius {
+    // Further away than its radius, light by area has less noise than misses of the square make.
+    let beyond_rim = (way - way.dot(normal) * normal).length() - radius;
+    if height.hypot(beyond_rim.max(0.0)) < radius {
         let (x, y) = normal.any_orthonormal_pair();
         let corner = way - radius * x - radius * y;
         let edges = (2.0 * radius * x, 2.0 * radius * y);
