@@ -78,6 +78,7 @@ codes! {
     LINT_ALLOW_WITHOUT_REASON = "lint/allow-without-reason";
     LINT_CAMERA_INSIDE = "lint/camera-inside";
     LINT_CAMERA_SEES_NOTHING = "lint/camera-sees-nothing";
+    LINT_CLEAR_METAL = "lint/clear-metal";
     LINT_COINCIDENT_SURFACES = "lint/coincident-surfaces";
     LINT_COLOUR_CUT = "lint/colour-cut";
     LINT_DARK_LIGHT = "lint/dark-light";
@@ -87,6 +88,7 @@ codes! {
     LINT_HIDDEN_BY_PLANE = "lint/hidden-by-plane";
     LINT_IGNORED_FIELD = "lint/ignored-field";
     LINT_IMPOSSIBLE_PATH = "lint/impossible-path";
+    LINT_INDEX_BELOW_ONE = "lint/index-below-one";
     LINT_INWARD_LAMP = "lint/inward-lamp";
     LINT_LAMP_FACES_AWAY = "lint/lamp-faces-away";
     LINT_LARGE_ERROR = "lint/large-error";
@@ -96,7 +98,9 @@ codes! {
     LINT_MISSING_CAPTION = "lint/missing-caption";
     LINT_NAMES_BY_CASE = "lint/names-by-case";
     LINT_NOISY_FILTER = "lint/noisy-filter";
+    LINT_OPEN_GLASS = "lint/open-glass";
     LINT_SAME_CAPTION = "lint/same-caption";
+    LINT_SAME_MEDIUM = "lint/same-medium";
     LINT_SAME_PICTURE = "lint/same-picture";
     LINT_SCALE_AFTER_MOVE = "lint/scale-after-move";
     LINT_SHALLOW_DEPTH = "lint/shallow-depth";
@@ -141,6 +145,10 @@ codes! {
     MTL_MISSING_NAME = "mtl/missing-name";
     MTL_NEGATIVE = "mtl/negative";
     MTL_NO_COLOUR = "mtl/no-colour";
+    MTL_NO_INDEX = "mtl/no-index";
+    MTL_NO_MIRROR_COLOUR = "mtl/no-mirror-colour";
+    MTL_NO_SUCH_MEDIUM = "mtl/no-such-medium";
+    MTL_NO_SUCH_METAL = "mtl/no-such-metal";
     MTL_NOT_RENDERED = "mtl/not-rendered";
     MTL_NOT_WAVEFRONT = "mtl/not-wavefront";
     MTL_OTHER_COLOUR = "mtl/other-colour";
@@ -176,6 +184,7 @@ codes! {
     RENDER_NAME = "render/name";
     RENDER_NOTHING_TO_CHANGE = "render/nothing-to-change";
     RENDER_TOO_MUCH = "render/too-much";
+    SCENE_ABSORBING_MEDIUM = "scene/absorbing-medium";
     SCENE_BEYOND_NUMBERS = "scene/beyond-numbers";
     SCENE_BIASED = "scene/biased";
     SCENE_CAMERA_LOOKS_ALONG_UP = "scene/camera-looks-along-up";

@@ -10,7 +10,7 @@ use super::eval::Evaluator;
 use super::{defaults, limits};
 use crate::diag::{FileId, Span};
 use crate::scene::schema::{Checked, Kind, Type};
-use crate::scene::{At, KINDS, Scene};
+use crate::scene::{At, KINDS, NAMED_BY_FILES, Scene};
 
 /// What became of a render.
 pub struct Lowered {
@@ -77,14 +77,14 @@ fn item(kind: &'static str, name: &str, place: Span, checked: At<Checked>, span:
 }
 
 /// Without declarations that only names would lead to, and none does: a scene is the same scene
-/// whatever its file declares beside.
+/// whatever its file declares beside. What files may name is kept.
 fn needed(items: Vec<Item>) -> Vec<Item> {
     let referred: HashSet<&str> = KINDS.iter().flat_map(|kind| references(&kind.ty)).collect();
     let index: HashMap<(&str, &str), usize> =
         items.iter().enumerate().map(|(i, (kind, name, _))| ((*kind, name.as_str()), i)).collect();
     let mut kept = vec![false; items.len()];
-    let mut open: Vec<usize> =
-        (0..items.len()).filter(|i| !referred.contains(items[*i].0)).collect();
+    let wanted = |kind: &str| !referred.contains(kind) || NAMED_BY_FILES.contains(&kind);
+    let mut open: Vec<usize> = (0..items.len()).filter(|i| wanted(items[*i].0)).collect();
     while let Some(at) = open.pop() {
         if std::mem::replace(&mut kept[at], true) {
             continue;

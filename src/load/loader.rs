@@ -49,6 +49,7 @@ impl<'a> Loader<'a> {
     ) -> (Option<Stage>, Vec<Diagnostic>) {
         let mut found = Vec::new();
         let mut used: Vec<Used> = Vec::new();
+        let mut media = Vec::new();
         let mut staged = Vec::new();
         let mut desk =
             textures::Desk { shelf: &mut self.shelf, found: &mut found, used: &mut used };
@@ -68,6 +69,7 @@ impl<'a> Loader<'a> {
                 found: &mut found,
                 used: &mut used,
                 textures: &mut textures,
+                media: &mut media,
             };
             let mesh = desk.stage(&object.name.value, mesh);
             whole &= mesh.is_some();
@@ -78,6 +80,7 @@ impl<'a> Loader<'a> {
             scene: scene.clone(),
             meshes: staged,
             textures,
+            media,
             hash: hash(scene, &used),
             light_hash: hash(&light(scene), &used),
             files: used.into_iter().map(|used| used.file).collect(),

@@ -1,17 +1,18 @@
 //! Wavefront materials as materials of the scene, as far as they can be rendered.
 //!
-//! Kd is the albedo, times the picture of map_Kd; Ke, and Ka where the scene says so, is what the surface emits. What asks for
-//! more is rendered as diffuse, with a warning that says so.
+//! Its model of illumination says what it is (illum.rs); Ke, and Ka where the scene says so, is what
+//! an opaque surface emits, map_Kd the texture of a diffuse one. What asks for more is rendered without it, with a warning that says so.
 
 use std::path::PathBuf;
 
 use super::errors::mtl as errors;
+use super::illum::{Context, Model};
 use crate::diag::{Diagnostic, FileId, Span};
 use crate::files::mtl::{self, Said};
 use crate::math::Spectrum;
 use crate::scene::{
-    self, Angle, At, Diffuse, FileName, Image, KaMeans, Named, Pair, Radiance, Ref, Reflectance,
-    Sides, Texture, TextureFilter, Textured, Wrap,
+    self, Angle, At, FileName, Image, KaMeans, Named, Pair, Radiance, Ref, Reflectance, Texture,
+    TextureFilter, Wrap,
 };
 
 /// The source a material's places are in.
@@ -52,16 +53,16 @@ pub(super) fn texture(
 /// As the scene would have declared it. `ambient` is given wherever Ka is not zero.
 pub(super) fn scene_material(
     said: &mtl::Material,
-    at: Place,
     ambient: Option<KaMeans>,
     texture: Option<At<Ref<Texture>>>,
-) -> Named<scene::Material> {
+    context: &mut Context,
+) -> Result<Named<scene::Material>, Box<Diagnostic>> {
+    let at = context.at;
     let whole = at.span(&said.name);
     let black = || At::new([0.0; 3], whole);
     let colour = |said: &Option<Said<[f64; 3]>>| {
         said.as_ref().map_or_else(black, |said| At::new(said.value, at.span(said)))
     };
-    let albedo = colour(&said.diffuse);
     let mut emission = colour(&said.emissive);
     if ambient == Some(KaMeans::Emission) && shines_unclearly(said) {
         let ka = colour(&said.ambient);
@@ -71,32 +72,32 @@ pub(super) fn scene_material(
             emission.map(|ke| std::array::from_fn(|i| ke[i] + ka.value[i]))
         };
     }
-    let diffuse = Diffuse {
-        albedo: match texture {
-            Some(texture) => texture.map(Textured::Texture),
-            None => albedo.map(|rgb| Textured::Plain(Reflectance(Spectrum::Rgb(rgb)))),
-        },
-        emission: emission.map(|rgb| Radiance(Spectrum::Rgb(rgb))),
-        emits: At::new(Sides::Front, whole),
-    };
-    Named {
+    let emission = emission.map(|rgb| Radiance(Spectrum::Rgb(rgb)));
+    Ok(Named {
         name: At::new(said.name.value.clone(), whole),
-        value: At::new(scene::Material::Diffuse(diffuse), whole),
-    }
+        value: At::new(context.material(said, emission, texture)?, whole),
+    })
 }
 
 /// Tells what of a material in use is not rendered, or hardly meant.
 pub(super) fn warn(said: &mtl::Material, at: Place, field: Span, found: &mut Vec<Diagnostic>) {
     let name = &said.name.value;
-    let left_out = left_out(said, at);
+    let model = Model::of(said);
+    let left_out = left_out(said, at, model);
     if !left_out.is_empty() {
-        found.push(errors::not_rendered(name, &left_out, field));
+        found.push(errors::not_rendered(name, model == Model::Diffuse, &left_out, field));
     }
-    match &said.diffuse {
-        Some(kd) if kd.value.iter().any(|part| *part > 1.0) => {
-            found.push(errors::above_one(name, at.span(kd)));
+    let (word, colour) = match model {
+        Model::Diffuse => ("Kd", &said.diffuse),
+        Model::Mirror => ("Ks", &said.specular),
+        Model::Glass | Model::Medium | Model::Metal => return,
+    };
+    match colour {
+        Some(colour) if colour.value.iter().any(|part| *part > 1.0) => {
+            found.push(errors::above_one(name, word, at.span(colour)));
         }
-        None if said.emissive.is_none()
+        None if model == Model::Diffuse
+            && said.emissive.is_none()
             && said.diffuse_map.is_none()
             && !shines_unclearly(said) =>
         {
@@ -107,31 +108,31 @@ pub(super) fn warn(said: &mtl::Material, at: Place, field: Span, found: &mut Vec
 }
 
 /// What is asked for and not rendered: in words, and where.
-fn left_out(said: &mtl::Material, at: Place) -> Vec<(&'static str, Span)> {
+fn left_out(said: &mtl::Material, at: Place, model: Model) -> Vec<(&'static str, Span)> {
     let mut left_out = Vec::new();
     let illum = said.illum.as_ref();
-    let model = match illum.map(|illum| illum.value) {
-        Some(2) | None => None,
-        Some(0 | 1) => None,
-        Some(3 | 8) => Some("a mirror"),
-        Some(4 | 6 | 9) => Some("glass"),
-        Some(5 | 7) => Some("reflection by Fresnel's formulas"),
-        Some(10) => Some("a catcher of shadows"),
-        Some(11) => Some("a metal"),
-        Some(_) => Some("a translucent body"),
-    };
-    if let (Some(model), Some(illum)) = (model, illum) {
-        left_out.push((model, at.span(illum)));
+    if let Some(illum) = illum.filter(|illum| illum.value == 10) {
+        left_out.push(("a catcher of shadows", at.span(illum)));
     }
-    let highlights = !matches!(illum.map(|illum| illum.value), Some(0 | 1)) && model.is_none();
+    let highlights = matches!(illum.map(|illum| illum.value), None | Some(2));
     if let Some(ks) = said.specular.as_ref().filter(|ks| highlights && ks.value != [0.0; 3]) {
         left_out.push(("highlights", at.span(ks)));
     }
-    if let Some(d) = said.dissolve.as_ref().filter(|d| d.value < 1.0) {
+    // Of clear matter light goes through all of the surface in any case.
+    if let Some(d) = said.dissolve.as_ref().filter(|d| d.value < 1.0 && !model.is_clear()) {
         left_out.push(("transparency", at.span(d)));
     }
-    if let Some(map) = said.diffuse_map.as_ref().filter(|map| map.value.options) {
-        left_out.push(("the options of its texture", at.span(map)));
+    if let Some(map) = &said.diffuse_map {
+        match model {
+            Model::Diffuse if map.value.options => {
+                left_out.push(("the options of its texture", at.span(map)));
+            }
+            Model::Diffuse => {}
+            _ => left_out.push(("a texture", at.span(map))),
+        }
+    }
+    if let Some(ke) = said.emissive.as_ref().filter(|ke| ke.value != [0.0; 3] && model.is_clear()) {
+        left_out.push(("light of its own", at.span(ke)));
     }
     for other in &said.others {
         let words = match other.value.as_str() {

@@ -5,11 +5,12 @@ use std::rc::Rc;
 
 use super::errors::{file, mesh as errors, mtl};
 use super::files::{self, Asked, MtlFile, ObjFile, Shelf};
+use super::illum::{Context, Model};
 use super::loader::Used;
 use super::{StagedFile, StagedMesh, StagedTexture, materials, textures};
 use crate::diag::{Diagnostic, Sources, Span};
 use crate::files::mtl::Material as Said;
-use crate::scene::{self, At, Material, Named, Ref, Scene, Texture};
+use crate::scene::{self, At, Material, Medium, Named, Ref, Scene, Texture};
 
 /// What staging a mesh works with.
 pub(super) struct Desk<'a, 'p> {
@@ -20,6 +21,8 @@ pub(super) struct Desk<'a, 'p> {
     pub used: &'a mut Vec<Used>,
     /// Textures, those of .mtl files added.
     pub textures: &'a mut Vec<StagedTexture>,
+    /// Media of materials in files.
+    pub media: &'a mut Vec<Named<Medium>>,
 }
 
 /// There is an error, which was told.
@@ -82,14 +85,28 @@ impl Desk<'_, '_> {
                         if ambient.is_none() && materials::shines_unclearly(said) {
                             shining.push((name.as_str(), at, said));
                         }
-                        let texture = match self.map(library, said, span) {
-                            Ok(texture) => texture,
-                            Err(Told) => {
-                                whole = false;
-                                None
-                            }
+                        let texture = match Model::of(said) {
+                            Model::Diffuse => self.map(library, said, span),
+                            _ => Ok(None),
                         };
-                        staged.push(materials::scene_material(said, at, ambient, texture));
+                        let texture = texture.unwrap_or_else(|Told| {
+                            whole = false;
+                            None
+                        });
+                        let mut context = Context {
+                            scene,
+                            file: &self.sources.get(library.source).name,
+                            field: span,
+                            at,
+                            media: self.media,
+                        };
+                        match materials::scene_material(said, ambient, texture, &mut context) {
+                            Ok(material) => staged.push(material),
+                            Err(fault) => {
+                                self.found.push(*fault);
+                                whole = false;
+                            }
+                        }
                     }
                     None => missing.push(slot),
                 },

@@ -2,6 +2,7 @@
 
 mod errors;
 mod files;
+mod illum;
 mod loader;
 mod materials;
 mod meshes;

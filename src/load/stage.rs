@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::diag::Span;
 use crate::math::{Mesh, Texels, Values};
-use crate::scene::{Encoding, Material, Named, Ref, Scene, Texture};
+use crate::scene::{Encoding, Material, Medium, Named, Ref, Scene, Texture};
 
 /// A scene, and what its files hold. Nothing is placed or scaled yet.
 #[derive(Clone, Debug)]
@@ -16,6 +16,8 @@ pub struct Stage {
     pub meshes: Vec<Option<StagedMesh>>,
     /// The textures that materials may name, by their names.
     pub textures: Vec<StagedTexture>,
+    /// Media of materials in files, which the scene does not declare.
+    pub media: Vec<Named<Medium>>,
     /// The files read, each once, in the order of first use.
     pub files: Vec<StagedFile>,
     /// What the picture depends on beside settings and seed.
@@ -62,6 +64,13 @@ impl Stage {
     pub fn texture(&self, name: &Ref<Texture>) -> &StagedTexture {
         let mut all = self.textures.iter();
         let found = all.find(|staged| staged.texture.name.value == name.name);
+        found.expect("checked: references name declarations")
+    }
+
+    /// The medium a reference names.
+    pub fn medium(&self, name: &Ref<Medium>) -> &Named<Medium> {
+        let mut all = self.scene.media.iter().chain(&self.media);
+        let found = all.find(|medium| medium.name.value == name.name);
         found.expect("checked: references name declarations")
     }
 }

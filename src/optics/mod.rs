@@ -18,6 +18,10 @@ pub use upsampling::{upsampled_light, upsampled_reflectance};
 /// The wavelengths in nm that formulas are tabulated over: what an eye can see, and a little more.
 pub const VISIBLE: (u32, u32) = (360, 830);
 
+/// The wavelength in nm at which indices are told in catalogues, and at which they are taken where
+/// one is to do for all: the yellow line of helium.
+pub const MIDDLE: f64 = 587.6;
+
 /// A formula's value at a wavelength in nm, in the units [`Formula`] names; NaN where an index has
 /// no real value.
 pub fn value(formula: &Formula, nm: f64) -> f64 {

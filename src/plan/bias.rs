@@ -2,8 +2,8 @@
 //!
 //! A new one is a [`Kind`], and a function that finds it.
 
-use super::spectra;
 use super::survey::Survey;
+use super::{dispersion, spectra};
 use crate::diag::Span;
 use crate::load::Stage;
 use crate::scene::{self, AreaLights, At, Integrator, Switch};
@@ -33,6 +33,8 @@ pub enum Kind {
     LampCentres,
     /// Three channels are multiplied in place of two spectra.
     RgbForSpectra,
+    /// All light is refracted by one index.
+    Dispersion,
     /// Only some paths of light are shown.
     Paths,
 }
@@ -52,6 +54,7 @@ impl Kind {
             Self::NoShadows => "no_shadows",
             Self::LampCentres => "lamp_centres",
             Self::RgbForSpectra => "rgb_for_spectra",
+            Self::Dispersion => "dispersion",
             Self::Paths => "paths",
         }
     }
@@ -97,6 +100,7 @@ pub fn biases(stage: &Stage) -> Vec<Bias> {
     all.extend(no_shadows(&survey, integrator));
     all.extend(lamp_centres(&survey, integrator));
     all.extend(spectra::biases(&survey));
+    all.extend(dispersion::biases(stage, &survey));
     all.extend(some_paths(integrator));
     all
 }

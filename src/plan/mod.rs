@@ -10,6 +10,7 @@ mod textures;
 mod survey;
 mod features;
 mod spectra;
+mod dispersion;
 mod bias;
 pub mod errors;
 

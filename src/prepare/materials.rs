@@ -12,7 +12,7 @@ use crate::optics::{self, colour};
 use crate::render::materials::{
     Conductor, Dielectric, Diffuse, Emission, Material, Mirror, Mixture, Surface,
 };
-use crate::scene::{self, Medium, Named, Ref, Scene, Sides};
+use crate::scene::{self, Medium, Named, Ref, Sides};
 
 /// The materials in use.
 pub(super) struct Table {
@@ -36,6 +36,7 @@ pub(super) fn table(
     // another file of materials. One that shines makes a lamp of each object.
     let mut known: HashMap<(&str, Span, Option<u32>), u32> = HashMap::new();
     let mut told: HashSet<(&str, Span)> = HashSet::new();
+    check_media(stage, bodies, found);
     for body in bodies {
         let mut slots = Vec::with_capacity(body.materials.len());
         for (named, parts) in body.materials.iter().zip(&body.parts) {
@@ -68,6 +69,21 @@ impl Table {
     pub fn emission(&self, number: u32) -> Option<(Rgb, bool)> {
         let Emission { radiance, both } = self.all[number as usize].emission;
         (!radiance.is_black()).then_some((radiance, both))
+    }
+}
+
+/// What of media in use cannot be rendered.
+fn check_media(stage: &Stage, bodies: &[Placed], found: &mut Vec<Diagnostic>) {
+    let mut told: HashSet<&str> = HashSet::new();
+    for (_, part) in bodies.iter().flat_map(|body| body.parts.iter().flatten()) {
+        let scene::Material::Dielectric(dielectric) = &part.value.value else { continue };
+        for name in [Some(&dielectric.inside.value), dielectric.outside.as_ref()] {
+            let Some(medium) = name.map(|name| stage.medium(name)) else { continue };
+            let Medium::Homogeneous(homogeneous) = &medium.value.value;
+            if homogeneous.ior.absorbs() && told.insert(&medium.name.value) {
+                found.push(errors::absorbing_medium(medium, homogeneous.ior.span));
+            }
+        }
     }
 }
 
@@ -114,12 +130,12 @@ fn material(
 }
 
 fn surface(textures: &mut Textures, material: &Named<scene::Material>) -> Surface {
-    let scene = &*textures.stage.scene;
+    let stage = textures.stage;
     match &material.value.value {
         scene::Material::Conductor(conductor) => Surface::Conductor(metal(&conductor.ior)),
         scene::Material::Dielectric(dielectric) => Surface::Dielectric(Dielectric {
-            inside: index(scene, &dielectric.inside),
-            outside: dielectric.outside.as_ref().map_or(1.0, |medium| index(scene, medium)),
+            inside: index(stage, &dielectric.inside),
+            outside: dielectric.outside.as_ref().map_or(1.0, |medium| index(stage, medium)),
         }),
         scene::Material::Diffuse(diffuse) => {
             Surface::Diffuse(Diffuse { albedo: textures.colour(&diffuse.albedo) })
@@ -128,7 +144,7 @@ fn surface(textures: &mut Textures, material: &Named<scene::Material>) -> Surfac
             Surface::Mirror(Mirror { reflectance: textures.colour(&mirror.reflectance) })
         }
         scene::Material::Mix(_) => {
-            let parts = scene.parts(material).into_iter();
+            let parts = stage.scene.parts(material).into_iter();
             let part = |(share, part): Share| (share as f32, surface(textures, part));
             Surface::Mixture(Mixture { parts: parts.map(part).collect() })
         }
@@ -143,13 +159,10 @@ fn metal(ior: &scene::Index) -> Conductor {
 }
 
 /// The index of refraction of a medium at the middle of the visible range.
-fn index(scene: &Scene, medium: &Ref<Medium>) -> f64 {
-    let Medium::Homogeneous(medium) = &scene.medium(medium).value.value;
-    optics::at(&medium.ior.n, MIDDLE)
+fn index(stage: &Stage, medium: &Ref<Medium>) -> f64 {
+    let Medium::Homogeneous(medium) = &stage.medium(medium).value.value;
+    optics::at(&medium.ior.n, optics::MIDDLE)
 }
-
-/// Wavelength of the yellow line of helium, at which indices are told in catalogues, in nm.
-const MIDDLE: f64 = 587.6;
 
 /// What light a spectrum is, in light units.
 pub(super) fn in_units(spectrum: &Spectrum, light_unit: f64) -> Rgb {

@@ -44,4 +44,4 @@ pub use values::{
     Irradiance, Length, LightCount, Number, Pair, Place, Point, Radiance, Ref, Reflectance, Size,
     Step, Switch, Text, Time,
 };
-pub use whole::{Items, KINDS, KindOf, Named, Scene};
+pub use whole::{Items, KINDS, KindOf, NAMED_BY_FILES, Named, Scene};

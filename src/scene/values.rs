@@ -66,6 +66,16 @@ pub struct Index {
     pub k: Spectrum,
 }
 
+impl Index {
+    /// Whether light fades in it, at any wavelength.
+    pub fn absorbs(&self) -> bool {
+        match &self.k {
+            Spectrum::Table(table) => table.bounds().1 > 0.0,
+            other => !other.is_zero(),
+        }
+    }
+}
+
 impl Vocabulary for Index {
     const TYPE: Type = Type::Index;
 

@@ -90,6 +90,9 @@ macro_rules! kinds {
     };
 }
 
+/// The kinds whose declarations files may name: media, by materials of .mtl files.
+pub const NAMED_BY_FILES: &[&str] = &["medium"];
+
 kinds! {
     one {
         /// Where the picture is taken from.
@@ -138,12 +141,6 @@ impl Scene {
     pub fn material(&self, name: &super::Ref<Material>) -> &Named<Material> {
         let found = self.materials.binary_search_by(|m| m.name.value.as_str().cmp(&name.name));
         &self.materials[found.expect("checked: references name declarations")]
-    }
-
-    /// The medium a reference names.
-    pub fn medium(&self, name: &super::Ref<Medium>) -> &Named<Medium> {
-        let found = self.media.binary_search_by(|m| m.name.value.as_str().cmp(&name.name));
-        &self.media[found.expect("checked: references name declarations")]
     }
 }
 

@@ -372,6 +372,7 @@ impl Hand {
             scene: Arc::new(self.scene.clone()),
             meshes: self.meshes.clone(),
             textures: Vec::new(),
+            media: Vec::new(),
             files: Vec::new(),
             hash: SceneHash([0; 32]),
             light_hash: SceneHash([0; 32]),

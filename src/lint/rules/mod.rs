@@ -3,6 +3,7 @@
 mod albedo_above_one;
 mod camera_inside;
 mod camera_sees_nothing;
+mod clear_metal;
 mod coincident_surfaces;
 mod colour_cut;
 mod dark_light;
@@ -12,6 +13,7 @@ mod exposure;
 mod hidden_by_plane;
 mod ignored_field;
 mod impossible_path;
+mod index_below_one;
 mod inward_lamp;
 mod lamp_faces_away;
 mod large_error;
@@ -21,7 +23,9 @@ mod many_turns;
 mod missing_caption;
 mod names_by_case;
 mod noisy_filter;
+mod open_glass;
 mod same_caption;
+mod same_medium;
 mod same_picture;
 mod scale_after_move;
 mod shallow_depth;
@@ -47,6 +51,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_ALBEDO_ABOVE_ONE, look: Look::Render(albedo_above_one::look) },
     Rule { code: Code::LINT_CAMERA_INSIDE, look: Look::Render(camera_inside::look) },
     Rule { code: Code::LINT_CAMERA_SEES_NOTHING, look: Look::Render(camera_sees_nothing::look) },
+    Rule { code: Code::LINT_CLEAR_METAL, look: Look::Render(clear_metal::look) },
     Rule { code: Code::LINT_COINCIDENT_SURFACES, look: Look::Render(coincident_surfaces::look) },
     Rule { code: Code::LINT_COLOUR_CUT, look: Look::Render(colour_cut::look) },
     Rule { code: Code::LINT_DARK_LIGHT, look: Look::Renders(dark_light::look) },
@@ -56,6 +61,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_HIDDEN_BY_PLANE, look: Look::Render(hidden_by_plane::look) },
     Rule { code: Code::LINT_IGNORED_FIELD, look: Look::Renders(ignored_field::look) },
     Rule { code: Code::LINT_IMPOSSIBLE_PATH, look: Look::Render(impossible_path::look) },
+    Rule { code: Code::LINT_INDEX_BELOW_ONE, look: Look::Render(index_below_one::look) },
     Rule { code: Code::LINT_INWARD_LAMP, look: Look::Render(inward_lamp::look) },
     Rule { code: Code::LINT_LAMP_FACES_AWAY, look: Look::Render(lamp_faces_away::look) },
     Rule { code: Code::LINT_LARGE_ERROR, look: Look::Render(large_error::look) },
@@ -65,7 +71,9 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_MISSING_CAPTION, look: Look::Renders(missing_caption::look) },
     Rule { code: Code::LINT_NAMES_BY_CASE, look: Look::Text(names_by_case::look) },
     Rule { code: Code::LINT_NOISY_FILTER, look: Look::Render(noisy_filter::look) },
+    Rule { code: Code::LINT_OPEN_GLASS, look: Look::Render(open_glass::look) },
     Rule { code: Code::LINT_SAME_CAPTION, look: Look::Renders(same_caption::look) },
+    Rule { code: Code::LINT_SAME_MEDIUM, look: Look::Render(same_medium::look) },
     Rule { code: Code::LINT_SAME_PICTURE, look: Look::Renders(same_picture::look) },
     Rule { code: Code::LINT_SCALE_AFTER_MOVE, look: Look::Render(scale_after_move::look) },
     Rule { code: Code::LINT_SHALLOW_DEPTH, look: Look::Render(shallow_depth::look) },

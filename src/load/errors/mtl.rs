@@ -140,7 +140,12 @@ pub fn ambient(file: &str, shining: &[(&str, Place, &Material)], field: Span) ->
 }
 
 /// What a material asks for and does not get.
-pub fn not_rendered(name: &str, left_out: &[(&'static str, Span)], field: Span) -> Diagnostic {
+pub fn not_rendered(
+    name: &str,
+    as_diffuse: bool,
+    left_out: &[(&'static str, Span)],
+    field: Span,
+) -> Diagnostic {
     let mut words: Vec<&str> = left_out.iter().map(|(words, _)| *words).collect();
     words.dedup();
     let words = match words.as_slice() {
@@ -150,24 +155,27 @@ pub fn not_rendered(name: &str, left_out: &[(&'static str, Span)], field: Span) 
     };
     let mut warning = Diagnostic::warning(
         Code::MTL_NOT_RENDERED,
-        format!("the material `{name}` is rendered as diffuse, without {words}"),
+        match as_diffuse {
+            true => format!("the material `{name}` is rendered as diffuse, without {words}"),
+            false => format!("the material `{name}` is rendered without {words}"),
+        },
     );
     for (i, (_, span)) in left_out.iter().take(3).enumerate() {
         warning = warning.label(*span, if i == 0 { "not rendered yet" } else { "nor this" });
     }
     warning
         .label(field, "this mesh uses it")
-        .help("its Kd is taken alone; replace it by a material of the scene to have it otherwise")
+        .help("replace it by a material of the scene to have it otherwise")
 }
 
-/// A Kd above one.
-pub fn above_one(name: &str, at: Span) -> Diagnostic {
+/// A Kd or Ks above one.
+pub fn above_one(name: &str, word: &str, at: Span) -> Diagnostic {
     Diagnostic::warning(
         Code::MTL_ABOVE_ONE,
         format!("the material `{name}` gives back more light than it gets"),
     )
-    .label(at, "Kd is above 1")
-    .help("write a Kd of at most 1; if the surface shines of itself, write Ke")
+    .label(at, format!("{word} is above 1"))
+    .help(format!("write a {word} of at most 1; if the surface shines of itself, write Ke"))
 }
 
 /// A material without any colour.
@@ -178,4 +186,68 @@ pub fn no_colour(name: &str, at: Span) -> Diagnostic {
     )
     .label(at, "no Kd follows")
     .help("write its diffuse colour, such as `Kd 0.8 0.8 0.8`, if it is not black")
+}
+
+/// A mirror without a colour.
+pub fn no_mirror_colour(name: &str, at: Span, field: Span) -> Diagnostic {
+    Diagnostic::error(
+        Code::MTL_NO_MIRROR_COLOUR,
+        format!("the material `{name}` is a mirror, and has no Ks"),
+    )
+    .label(at, "no Ks follows")
+    .label(field, "this mesh uses it")
+    .why("Under `illum 3` Ks is the part of the light that is given back.")
+    .help(
+        "write it below `newmtl`, such as `Ks 1 1 1`; or replace the material by one of the scene",
+    )
+}
+
+/// Glass without an index.
+pub fn no_index(name: &str, at: Span, field: Span) -> Diagnostic {
+    Diagnostic::error(
+        Code::MTL_NO_INDEX,
+        format!("the material `{name}` is glass, and has no index of refraction"),
+    )
+    .label(at, "no Ni above 0 follows")
+    .label(field, "this mesh uses it")
+    .help("write it below `newmtl`, such as `Ni 1.5`; or replace the material by one of the scene")
+}
+
+/// A metal that no shelf has.
+pub fn no_such_metal(name: &str, known: &[&str], at: Span, field: Span) -> Diagnostic {
+    let told = Diagnostic::error(Code::MTL_NO_SUCH_METAL, format!("there is no metal `{name}`"))
+        .label(at, "its `illum 11` asks for a metal of that name")
+        .label(field, "this mesh uses it");
+    let quoted = match name.contains(|c: char| !c.is_alphanumeric() && c != '_') {
+        true => format!("\"{name}\""),
+        false => name.to_string(),
+    };
+    let line = format!("`materials: {{ {quoted}: conductor {{ ior: complex(…, …) }} }}`");
+    match nearest(name, known.iter().copied()) {
+        Some(near) => {
+            told.help(format!("call it `{near}` in the file, if that is meant; else write {line}"))
+        }
+        None => {
+            told.help(format!("known are {}; else write {line}", listed(known.iter().copied())))
+        }
+    }
+}
+
+/// A medium that the scene does not declare.
+pub fn no_such_medium(name: &str, known: &[&str], at: Span, field: Span) -> Diagnostic {
+    let told = Diagnostic::error(
+        Code::MTL_NO_SUCH_MEDIUM,
+        format!("the scene declares no medium `{name}`"),
+    )
+    .label(at, "its `illum` asks for a medium of the scene, by name")
+    .label(field, "this mesh uses it");
+    let quoted = match name.contains(|c: char| !c.is_alphanumeric() && c != '_') {
+        true => format!("\"{name}\""),
+        false => name.to_string(),
+    };
+    let line = format!("`medium {quoted}: homogeneous {{ ior: … }}`");
+    match nearest(name, known.iter().copied()) {
+        Some(near) => told.help(format!("write {line}; the scene has a medium `{near}`")),
+        None => told.help(format!("write {line}")),
+    }
 }

@@ -116,4 +116,32 @@ mod tests {
             assert_eq!((behind.scattered(-wi).g, behind.faces(-wi)), (scattered, faces));
         }
     }
+
+    #[test]
+    fn of_even_light_as_much_is_scattered_as_normals_agree() {
+        for degrees in [0.0_f32, 10.0, 30.0, 60.0] {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            let ns = Vec3::new(sin, 0.0, cos);
+            let facing = Facing { wo: Vec3::Z, ng: Vec3::Z, ns, front: true };
+            let lambert = Lambert { albedo: Rgb::ONE, ..Lambert::black(&facing) };
+            let side = 400;
+            let middle = |i: u32| (f64::from(i) + 0.5) / f64::from(side);
+            let grid = (0..side * side).map(|i| [middle(i / side), middle(i % side)]);
+            let ways = grid.filter_map(|u| lambert.sample(u));
+            let sum: f64 = ways.map(|way| f64::from(way.weight.g)).sum();
+            let (found, truth) = (sum / f64::from(side * side), 0.5 * f64::from(1.0 + cos));
+            assert!((found - truth).abs() < 1e-3, "{degrees}: {found}, not {truth}");
+        }
+    }
+
+    #[test]
+    fn light_goes_either_way_alike() {
+        let (a, b) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, -0.28, 0.96));
+        let scattered = |wo: Vec3, wi: Vec3| {
+            let facing = Facing { wo, ng: Vec3::Z, ns: Vec3::Z, front: true };
+            let lambert = Lambert { albedo: Rgb::grey(0.7), ..Lambert::black(&facing) };
+            lambert.scattered(wi).g / wi.z
+        };
+        assert!((scattered(a, b) - scattered(b, a)).abs() < 1e-7);
+    }
 }
