@@ -146,7 +146,7 @@ fn depth(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
         Integrator::Path(path) => (
             format!("`depth: {most}`"),
             path.depth.span,
-            format!("light that was scattered more than {most} times is missing"),
+            format!("light that was scattered more than {} is missing", times(most)),
         ),
         other => {
             let word = if let Integrator::Ambient(_) = other { "ambient" } else { "direct" };
@@ -198,10 +198,10 @@ fn mirrored(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
         setting: format!("`specular_depth: {most}`"),
         at: depth.span,
         effect: format!(
-            "light that mirrors, glass and metal, such as `{name}`, sent on more than {most} times \
-             is missing"
+            "light that mirrors, glass and metal, such as `{name}`, sent on more than {} is missing",
+            times(most)
         ),
-        brief: format!("light mirrored more than {most} times is missing"),
+        brief: format!("light mirrored or refracted more than {} is missing", times(most)),
         bound: None,
         instead_write: "write `specular_depth: unlimited`",
         instead: None,
@@ -274,14 +274,16 @@ fn never_met(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
     })
 }
 
-/// None if every light has an extent, or nothing sends light on in one direction alone. Where
+/// One for each light without extent; none if nothing sends light on in one direction alone. Where
 /// lights are not asked, all of their light is missing, and that is told.
-fn caustics(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
-    let Integrator::Path(path) = &integrator.value else { return None };
-    let light = survey.sharp.first().filter(|_| path.next_event.0)?;
-    let (mirror, lit) = (survey.specular()?, survey.brightest()?);
-    let (light, mirror) = (&*light.name, &*mirror.material.name);
-    Some(Bias {
+fn caustics(survey: &Survey, integrator: &At<Integrator>) -> Vec<Bias> {
+    let Integrator::Path(path) = &integrator.value else { return Vec::new() };
+    let (Some(mirror), Some(lit)) = (survey.specular(), survey.brightest()) else {
+        return Vec::new();
+    };
+    let mirror = &*mirror.material.name;
+    let sharp = survey.sharp.iter().filter(|_| path.next_event.0);
+    let bias = |light: &str| Bias {
         kind: Kind::Caustics,
         setting: format!("`light {light}` and `{mirror}` under `path`"),
         at: integrator.span,
@@ -295,7 +297,8 @@ fn caustics(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
         instead_write: "give the light an extent: a lamp in its place, that is a surface with an \
                         `emission`",
         instead: None,
-    })
+    };
+    sharp.map(|light| bias(&light.name)).collect()
 }
 
 /// None if surfaces hide what surrounds the scene however far away they are.
@@ -359,4 +362,13 @@ fn lamp_centres(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
         instead_write: "write `area_lights: random`",
         instead: Some(Integrator::Direct(scene::Direct { area_lights, ..direct.clone() })),
     })
+}
+
+/// "once", "3 times".
+fn times(count: u64) -> String {
+    match count {
+        1 => "once".to_string(),
+        2 => "twice".to_string(),
+        more => format!("{more} times"),
+    }
 }

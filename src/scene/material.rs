@@ -25,7 +25,7 @@ vocabulary! {
         "dielectric" => Dielectric {
             /// What is behind the face.
             inside: Ref<Medium>;
-            /// What is before it. Left out: what is around the body, a vacuum in the open.
+            /// What is before it. Left out: a vacuum. A body inside of another must say it.
             outside: Option<Ref<Medium>>;
         }
         /// Lambert's: the same radiance in every direction.
