@@ -203,3 +203,33 @@ fn glass_in_a_white_room_is_not_seen() {
         }
     }
 }
+
+#[test]
+fn paths_among_mixtures_end_whatever_is_split() {
+    let half = |first: &str, second: &str| scene::Mix {
+        first: at(scene::Ref::new(first)),
+        second: at(scene::Ref::new(second)),
+        amount: at(scene::Number(0.5)),
+    };
+    let mirror = scene::Mirror {
+        reflectance: at(scene::Textured::Plain(scene::Reflectance(Spectrum::Constant(1.0)))),
+        emission: at(scene::Radiance(Spectrum::Constant(0.0))),
+        emits: at(Sides::Front),
+    };
+    let inside = |integrator: Integrator| {
+        Hand::new(integrator)
+            .material("chalk", 0.6, 0.0)
+            .made_of("mirror", scene::Material::Mirror(mirror.clone()))
+            .made_of("half", scene::Material::Mix(half("mirror", "chalk")))
+            .sphere(DVec3::ZERO, 1.0, "half")
+            .sphere(DVec3::ZERO, 0.1, "chalk")
+            .camera(DVec3::new(0.5, 0.1, 0.2), DVec3::X, 40.0)
+            .directional(DVec3::X, 1.0)
+            .samples(4)
+            .picture()
+    };
+    for (specular, diffuse) in [(1, 0), (3, 0), (0, 2), (2, 2)] {
+        let picture = inside(tracer(|path| path.splits = at(splits(specular, diffuse, 3))));
+        assert!(picture.pixels.iter().all(|pixel| pixel.is_finite()));
+    }
+}

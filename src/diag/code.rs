@@ -99,6 +99,7 @@ codes! {
     LINT_NAMES_BY_CASE = "lint/names-by-case";
     LINT_NOISY_FILTER = "lint/noisy-filter";
     LINT_OPEN_GLASS = "lint/open-glass";
+    LINT_OUTSIDE_UNSAID = "lint/outside-unsaid";
     LINT_SAME_CAPTION = "lint/same-caption";
     LINT_SAME_MEDIUM = "lint/same-medium";
     LINT_SAME_PICTURE = "lint/same-picture";

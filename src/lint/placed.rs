@@ -132,6 +132,13 @@ impl Body<'_> {
 }
 
 impl Thing<'_> {
+    /// Whether some part of it shines on both of its sides.
+    pub fn shines_both_ways(&self) -> bool {
+        let glow = self.materials.iter().filter_map(|material| material.value.glow());
+        glow.into_iter()
+            .any(|(emission, sides)| !emission.0.is_zero() && sides.value == scene::Sides::Both)
+    }
+
     /// Whether light goes through some part of it.
     pub fn transmits(&self) -> bool {
         self.parts.iter().any(|part| part.value.transmits())

@@ -146,8 +146,11 @@ fn short(word: &str) -> String {
         return word.to_string();
     }
     let half = (LONGEST_WORD - 3) / 2;
-    // Words are of ASCII.
-    format!("{} … {}", word[..half].trim_end(), word[word.len() - half..].trim_start())
+    // Words are of ASCII. What a cut leaves of a letter goes too.
+    let (start, end) = (&word[..half], &word[word.len() - half..]);
+    let start = start.rsplit_once(' ').map_or(start, |(whole, _)| whole);
+    let end = end.split_once(' ').map_or(end, |(_, whole)| whole);
+    format!("{start} … {end}")
 }
 
 /// For programs; described in docs/paths.md.

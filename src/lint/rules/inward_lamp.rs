@@ -12,7 +12,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     if matches!(shot.stage.scene.integrator.value, Integrator::Preview(_)) {
         return;
     }
-    for lamp in shot.things.iter().filter(|thing| thing.shines()) {
+    for lamp in shot.things.iter().filter(|thing| thing.shines() && !thing.shines_both_ways()) {
         let Body::Mesh { mesh, to_metres } = &lamp.body else { continue };
         if volume(mesh, *to_metres) >= 0.0 || !is_closed(mesh) {
             continue;

@@ -13,7 +13,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     {
         return;
     }
-    for lamp in shot.things.iter().filter(|thing| thing.shines()) {
+    for lamp in shot.things.iter().filter(|thing| thing.shines() && !thing.shines_both_ways()) {
         let Some(flat) = Flat::of(lamp) else { continue };
         let height = |p: glam::DVec3| (p - flat.point).dot(flat.normal);
         let others = shot.things.iter().filter(|other| !std::ptr::eq(*other, lamp));

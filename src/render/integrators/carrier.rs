@@ -42,6 +42,10 @@ pub(super) struct Branch {
     /// Density of the ray's direction there, times the rays that were sent by it; 0 if it is
     /// the camera's, or reflected or refracted by a smooth surface.
     pub pdf_w: f32,
+    /// Surfaces at which all specular ways were followed.
+    pub specular_splits: u32,
+    /// Surfaces from which several rays went on.
+    pub diffuse_splits: u32,
     /// Surfaces that scattered.
     pub scattered: u32,
     /// Surfaces that reflected or refracted in one direction alone.
@@ -138,6 +142,8 @@ impl Branch {
             trail,
             site: Site::free(ray.origin),
             pdf_w: 0.0,
+            specular_splits: 0,
+            diffuse_splits: 0,
             scattered: 0,
             mirrored: 0,
         }

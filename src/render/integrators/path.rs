@@ -134,9 +134,9 @@ impl Path {
 
     /// How many rays go on from a surface, and by which part of what it does.
     fn split(&self, branch: &Branch, bsdf: &Bsdf) -> Split {
-        let specular = bsdf.is_specular() && branch.mirrored < self.splits.specular;
+        let specular = bsdf.is_specular() && branch.specular_splits < self.splits.specular;
         let part = if specular { Part::Scattering } else { Part::All };
-        let diffuse = bsdf.scatters().is_some() && branch.scattered < self.splits.diffuse;
+        let diffuse = bsdf.scatters().is_some() && branch.diffuse_splits < self.splits.diffuse;
         let rays = if diffuse { self.splits.rays } else { 1 };
         Split { specular, diffuse, part, rays }
     }
@@ -150,6 +150,12 @@ impl Path {
         stream: &mut Stream,
         carrier: &mut Carrier,
     ) {
+        // Every ray that goes on has used them up, whatever way it takes: at a mixture, too.
+        let branch = &Branch {
+            specular_splits: branch.specular_splits + u32::from(split.specular),
+            diffuse_splits: branch.diffuse_splits + u32::from(split.diffuse),
+            ..*branch
+        };
         if split.specular {
             for way in bsdf.specular().into_iter().flatten() {
                 carrier.follow(branch.mirrored(hit, &way), way.event, hit);
