@@ -151,7 +151,7 @@ fn disks_give_their_irradiance() {
             hand.disk(dvec3(off, 0.0, h), DVec3::NEG_Z, radius, "lamp")
         });
     };
-    disk("disk on axis", (1.0, 1.0, 0.0), 1.570_796, true);
+    disk("disk on axis", (1.0, 1.0, 0.0), PI / 2.0, true);
     disk("small disk", (0.5, 2.0, 0.0), 0.184_800, false);
     disk("tiny disk", (1e-3, 1.0, 0.0), PI * 1e-6 / (1.0 + 1e-6), false);
     disk("endless disk", (1e3, 1.0, 0.0), 3.141_589_5, true);
