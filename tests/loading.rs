@@ -1,5 +1,7 @@
 //! Scenes staged from files made for each test.
 
+mod common;
+
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
@@ -485,4 +487,32 @@ fn limits_caption_and_exposure_change_the_hash_but_not_that_of_the_light() {
     }
     let film = hashes(|scene| scene.film.value.size.value.0[0] += 1);
     assert!(film.0 != plain.0 && film.1 != plain.1);
+}
+
+#[test]
+fn a_default_that_is_said_leaves_the_hash_as_it_is() {
+    let hashes = |items: &str| {
+        let text = format!(
+            "scn 1 in m\nobject ball: sphere {{ center: (0, 0, 0), radius: 1 m, material: white }}\n\
+             material white: diffuse {{ albedo: 0.5 }}\n{items}\n"
+        );
+        let (compiled, mut sources) = common::compile(&text);
+        let render =
+            compiled.renders.first().unwrap_or_else(|| panic!("{:?}", compiled.diagnostics));
+        let (stage, _) = Loader::new(&NoProgress).stage(&render.scene, &mut sources);
+        let stage = stage.unwrap();
+        (stage.hash, stage.light_hash)
+    };
+    let usual = hashes("integrator: path {}");
+    assert_eq!(hashes("integrator: path { splits: { diffuse: 0 } }"), usual);
+    assert_eq!(hashes("integrator: path {}\ncamera: overview { look: -z }"), usual);
+    assert_ne!(hashes("integrator: path { splits: { diffuse: 1 } }"), usual);
+    // How long it takes is not what it shows.
+    let longer = hashes("integrator: path {}\nstop: { samples: 1024 }");
+    assert_ne!(longer.0, usual.0);
+    assert_eq!(longer.1, usual.1);
+    let said = hashes("integrator: path {}\nfilm: { exposure: 0 ev }");
+    assert_eq!(said, usual);
+    let brighter = hashes("integrator: path {}\nfilm: { exposure: 1 ev }");
+    assert!(brighter.0 != usual.0 && brighter.1 == usual.1);
 }

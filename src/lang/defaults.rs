@@ -28,7 +28,7 @@ pub fn is_nowhere(span: Span) -> bool {
 /// A value in which what a default says is said at `span`.
 pub fn settled(checked: At<Checked>, span: Span) -> At<Checked> {
     if is_nowhere(checked.span) {
-        return placed(checked.value, span);
+        return At { usual: checked.usual, ..placed(checked.value, span) };
     }
     let inside = checked.span;
     let all = |fields: Vec<At<Checked>>| -> Vec<_> {
@@ -48,7 +48,8 @@ pub fn settled(checked: At<Checked>, span: Span) -> At<Checked> {
 /// A default's value said at `span`, with everything in it.
 pub fn placed(checked: Checked, span: Span) -> At<Checked> {
     let all = |fields: Vec<At<Checked>>| -> Vec<_> {
-        fields.into_iter().map(|field| placed(field.value, span)).collect()
+        let placed = |field: At<Checked>| At { usual: field.usual, ..placed(field.value, span) };
+        fields.into_iter().map(placed).collect()
     };
     let value = match checked {
         Checked::Variant(which, fields) => Checked::Variant(which, all(fields)),

@@ -9,7 +9,7 @@ use super::files::Shelf;
 use super::{SceneHash, Stage, StagedFile, StagedTexture, meshes, textures};
 use crate::diag::{Diagnostic, Level, Sources};
 use crate::math::Progress;
-use crate::scene::{Object, Scene};
+use crate::scene::{At, Exposure, Object, Scene, Switch};
 
 /// Stages the scenes of a run.
 pub struct Loader<'a> {
@@ -106,10 +106,11 @@ fn fingerprint(diagnostic: &Diagnostic, sources: &Sources) -> String {
 fn light(scene: &Scene) -> Scene {
     let mut scene = scene.clone();
     let stop = &mut scene.stop.value;
-    (stop.samples.value, stop.time.value, stop.error.value) = (None, None, None);
-    stop.adaptive.value.0 = false;
+    let at = scene.stop.span;
+    (stop.samples, stop.time) = (At::new(None, at), At::new(None, at));
+    (stop.error, stop.adaptive) = (At::new(None, at), At::new(Switch(false), at));
     scene.caption.value.0.clear();
-    scene.film.value.exposure.value.0 = 0.0;
+    scene.film.value.exposure = At::new(Exposure(0.0), at);
     scene
 }
 

@@ -14,17 +14,25 @@ pub struct At<T> {
     pub value: T,
     /// The place.
     pub span: Span,
+    /// Whether it is what a field is when it is left out. Serialised records have no such fields:
+    /// words that come to the language change nothing in scenes that do not use them.
+    pub usual: bool,
 }
 
 impl<T> At<T> {
     /// `value`, said at `span`.
     pub fn new(value: T, span: Span) -> Self {
-        Self { value, span }
+        Self { value, span, usual: false }
     }
 
     /// The same place with another value.
     pub fn map<U>(self, f: impl FnOnce(T) -> U) -> At<U> {
-        At { value: f(self.value), span: self.span }
+        At { value: f(self.value), span: self.span, usual: self.usual }
+    }
+
+    /// Whether serialised records do without it.
+    pub(super) fn is_usual(&self) -> bool {
+        self.usual
     }
 }
 

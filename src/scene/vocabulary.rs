@@ -146,6 +146,7 @@ macro_rules! fields {
         #[derive(Clone, Debug, PartialEq, serde::Serialize)]
         pub struct $Name {$(
             $(#[doc = $fdoc])+
+            #[serde(skip_serializing_if = "crate::scene::At::is_usual")]
             pub $field: $crate::scene::At<$ty>,
         )*}
 
@@ -157,7 +158,7 @@ macro_rules! fields {
                     $field: {
                         let field = fields.next().expect("checked: every field of the schema");
                         let value = $crate::scene::schema::Vocabulary::lower(&field.value);
-                        $crate::scene::At::new(value, field.span)
+                        $crate::scene::At { value, span: field.span, usual: field.usual }
                     },
                 )*}
             }

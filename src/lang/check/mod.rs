@@ -7,7 +7,7 @@ mod spectral;
 mod textured;
 
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use super::ast::Word;
@@ -40,6 +40,8 @@ pub struct Checker<'a> {
     /// Declarations that are being looked into.
     open: RefCell<Vec<(&'static str, Arc<str>)>>,
     depth: Cell<usize>,
+    /// What fields are when they are left out, by where the schema describes them.
+    usual: RefCell<HashMap<*const schema::Field, Option<At<Checked>>>>,
 }
 
 impl<'a> Checker<'a> {
@@ -52,6 +54,7 @@ impl<'a> Checker<'a> {
             lenient_beyond: None,
             open: RefCell::default(),
             depth: Cell::new(0),
+            usual: RefCell::default(),
         }
     }
 
@@ -319,11 +322,20 @@ impl<'a> Checker<'a> {
             let said = found.fields.iter().find(|said| &*said.key.text == field.word);
             match (said, field.default) {
                 (Some(said), _) => match self.field_value(said, &field.ty, &field.range, &place) {
-                    Some(value) => checked.push(At::new(value, said.value.span())),
+                    Some(value) => {
+                        let default = self.default(field, &place);
+                        let usual = default.is_some_and(|default| default.value == value);
+                        checked.push(At { usual, ..At::new(value, said.value.span()) });
+                    }
                     None => whole = false,
                 },
-                (None, Some(default)) => checked.push(self.default(default, field, span, &place)?),
-                (None, None) if field.optional => checked.push(At::new(Checked::Absent, span)),
+                (None, Some(_)) => {
+                    let default = defaults::placed(self.default(field, &place)?.value, span);
+                    checked.push(At { usual: true, ..default });
+                }
+                (None, None) if field.optional => {
+                    checked.push(At { usual: true, ..At::new(Checked::Absent, span) })
+                }
                 (None, None) => missing.push(field),
             }
         }
@@ -367,16 +379,18 @@ impl<'a> Checker<'a> {
         checked
     }
 
-    fn default(
-        &self,
-        text: &'static str,
-        field: &schema::Field,
-        span: Span,
-        place: &str,
-    ) -> Option<At<Checked>> {
+    /// What a field is when it is left out; its place is nowhere.
+    fn default(&self, field: &'static schema::Field, place: &str) -> Option<At<Checked>> {
+        let text = field.default?;
+        let key: *const schema::Field = field;
+        if let Some(known) = self.usual.borrow().get(&key) {
+            return known.clone();
+        }
         let value = default_value(self.ev, text);
-        let checked = self.check(&value, &field.ty, &field.range, place)?;
-        Some(defaults::placed(checked, span))
+        let checked = self.check(&value, &field.ty, &field.range, place);
+        let checked = checked.map(|checked| At::new(checked, value.span));
+        self.usual.borrow_mut().insert(key, checked.clone());
+        checked
     }
 
     /// How a value of a type may look.
