@@ -39,6 +39,28 @@ const FAR: f32 = 35_184_372_088_832.0;
 /// apart as f32 has them, is 2¹¹³.
 const LEAST: f64 = 1.0 / (1_u128 << 100) as f64;
 
+/// How far the test is off in addition.
+#[derive(Clone, Copy)]
+pub(super) struct Slack {
+    /// Corners and the ray, in quanta.
+    quanta: f32,
+    /// Bound of a part's error, in square quanta.
+    part: f32,
+}
+
+impl Slack {
+    const NONE: Self = Self { quanta: 0.0, part: PART_ERROR };
+}
+
+/// δ, as told above.
+const DELTA: f32 = 1.25;
+
+/// Rounding in the two products of a part, in square quanta; with room for [`LOOSEST`].
+const ARITHMETIC: f32 = 16_384.0;
+
+/// With more slack than so many quanta the test is left out.
+const LOOSEST: f32 = 4096.0;
+
 /// Up to eight triangles.
 #[repr(align(64))]
 pub(super) struct Block {
@@ -92,6 +114,25 @@ impl Block {
     /// Which triangles the ray may meet.
     #[inline(always)]
     pub fn candidates<L: Lanes>(&self, lanes: L, probe: &Probe) -> Candidates<L> {
+        self.candidates_within(lanes, probe, &Slack::NONE)
+    }
+
+    /// How much looser the test has to be where corners and the ray's origin are off by so much.
+    #[inline(always)]
+    pub fn slack(&self, off: f32) -> Slack {
+        let quanta = off * f32::from_bits(self.scale & !ALL);
+        let delta = DELTA + quanta;
+        Slack { quanta, part: 4.0 * (3.0 * SIDE + 2.0 * delta) * delta + ARITHMETIC }
+    }
+
+    /// The same with more slack.
+    #[inline(always)]
+    pub fn candidates_within<L: Lanes>(
+        &self,
+        lanes: L,
+        probe: &Probe,
+        slack: &Slack,
+    ) -> Candidates<L> {
         let [x, y, z] = probe.axes;
         let per_unit = f32::from_bits(self.scale & !ALL);
         let (per, low) = (f64::from(per_unit), f64::from(self.low[z]));
@@ -100,10 +141,11 @@ impl Block {
         let (cx, cy) = (cx as f32, cy as f32);
         let depth = (probe.near_depth[0] - self.low[z]) * per_unit;
         let nothing = [lanes.splat(0.0); 2];
-        if depth.abs() + probe.size * per_unit >= FAR {
+        if depth.abs() + probe.size * per_unit >= FAR || slack.quanta > LOOSEST {
             return Candidates { possible: self.scale & ALL, inside: 0, between: nothing };
         }
-        if (cx - SIDE / 2.0).abs() > REACH || (cy - SIDE / 2.0).abs() > REACH {
+        let reach = REACH + slack.quanta;
+        if (cx - SIDE / 2.0).abs() > reach || (cy - SIDE / 2.0).abs() > reach {
             return Candidates { possible: 0, inside: 0, between: nothing };
         }
         let (sx, sy) = (lanes.splat(probe.near_shear[0]), lanes.splat(probe.near_shear[1]));
@@ -121,7 +163,7 @@ impl Block {
         let w = lanes.mul_sub(bx, ay, lanes.mul(by, ax));
         let least = lanes.min(lanes.min(u, v), w);
         let most = lanes.max(lanes.max(u, v), w);
-        let (zero, error) = (lanes.splat(0.0), lanes.splat(PART_ERROR));
+        let (zero, error) = (lanes.splat(0.0), lanes.splat(slack.part));
         // Missed if one part is certainly below zero, and another certainly above.
         let possible = lanes.at_most(lanes.min(lanes.sub(zero, least), most), error);
         let possible = possible & self.scale & ALL;
@@ -136,14 +178,14 @@ impl Block {
         let sum = lanes.add(lanes.add(u, v), w);
         let mean = lanes.add(lanes.add(lanes.mul(u, az), lanes.mul(v, bz)), lanes.mul(w, cz));
         let (low, high) = (lanes.min(lanes.min(az, bz), cz), lanes.max(lanes.max(az, bz), cz));
-        let off = lanes.splat(3.0 * PART_ERROR);
-        let slack = lanes.div(lanes.mul(off, lanes.sub(high, low)), lanes.sub(lanes.abs(sum), off));
-        let slack =
-            lanes.add(slack, lanes.splat(1.0 + (depth.abs() + SIDE) * (4.0 * f32::EPSILON)));
+        let off = lanes.splat(3.0 * slack.part);
+        let far = lanes.div(lanes.mul(off, lanes.sub(high, low)), lanes.sub(lanes.abs(sum), off));
+        let depths = 1.0 + slack.quanta + (depth.abs() + SIDE) * (4.0 * f32::EPSILON);
+        let far = lanes.add(far, lanes.splat(depths));
         let scale = probe.near_depth[1] / per_unit;
         let t = lanes.mul(lanes.sub(lanes.div(mean, sum), lanes.splat(depth)), lanes.splat(scale));
-        let slack = lanes.mul(slack, lanes.splat(scale.abs()));
-        let between = [lanes.sub(t, slack), lanes.add(t, slack)];
+        let far = lanes.mul(far, lanes.splat(scale.abs()));
+        let between = [lanes.sub(t, far), lanes.add(t, far)];
         Candidates { possible, inside, between }
     }
 }

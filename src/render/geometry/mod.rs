@@ -137,7 +137,8 @@ impl Geometry {
         let (surface, t, owner) = match best.face() {
             Some(face) => {
                 let face = &self.tree.faces[face];
-                let (surface, t) = face.surface(lanes, probe, &self.shapes);
+                let normals = self.shapes.corner_normals(face.primitive.index());
+                let (surface, t) = face.surface(lanes, probe, normals);
                 (surface, t, face.owner)
             }
             None => (self.surface(probe, primitive), best.t, self.shapes.owner(primitive)),

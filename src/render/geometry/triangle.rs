@@ -89,9 +89,14 @@ impl Face {
         (t > 0.0 && t < f64::INFINITY).then_some(t as f32)
     }
 
-    /// The place where the ray meets it, and its parameter.
+    /// The place where the ray meets it, and its parameter; `normals` are those at its corners.
     #[inline(always)]
-    pub fn surface<L: Lanes>(&self, lanes: L, probe: &Probe, shapes: &Shapes) -> (Surface, f32) {
+    pub fn surface<L: Lanes>(
+        &self,
+        lanes: L,
+        probe: &Probe,
+        normals: Option<[DVec3; 3]>,
+    ) -> (Surface, f32) {
         let parts = self.parts(lanes, probe);
         // The ray may pass outside by rounding: the nearest weights inside stand for it.
         let side = 1_f64.copysign(lanes.exact_sum(parts));
@@ -118,7 +123,7 @@ impl Face {
         } else {
             lanes.exact([0.0, 0.0, 1.0])
         };
-        let ns = match shapes.corner_normals(self.primitive.index()) {
+        let ns = match normals {
             None => lanes.exact_round(ng).into(),
             Some(normals) => shading_normal(lanes.exact_store(ng), normals, [u, v, w]),
         };

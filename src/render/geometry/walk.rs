@@ -37,18 +37,76 @@ pub(super) fn walk<L: Lanes, const ANY: bool>(
     probe: &Probe,
     best: &mut Best,
 ) {
-    if tree.nodes.is_empty() {
+    let slabs = Slabs::new(lanes, probe);
+    descend::<L, ANY, _>(
+        lanes,
+        &tree.nodes,
+        &slabs,
+        &mut World::<ANY> { tree, shapes, probe, best },
+    );
+}
+
+/// What is met at the ends of a tree's branches.
+pub(super) trait Ends<L: Lanes> {
+    /// Boxes that are entered after this need not be looked into.
+    fn limit(&self) -> f32;
+
+    /// Meets a block of triangles; whether that is the end.
+    fn block(&mut self, lanes: L, number: usize) -> bool;
+
+    /// Meets what stands for itself; whether that is the end.
+    fn round(&mut self, lanes: L, primitive: Primitive) -> bool;
+}
+
+/// The shapes of the world, and the tree over them.
+struct World<'a, const ANY: bool> {
+    tree: &'a Tree,
+    shapes: &'a Shapes,
+    probe: &'a Probe,
+    best: &'a mut Best,
+}
+
+impl<L: Lanes, const ANY: bool> Ends<L> for World<'_, ANY> {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.best.t
+    }
+
+    #[inline(always)]
+    fn block(&mut self, lanes: L, number: usize) -> bool {
+        meet_block::<L, ANY>(lanes, self.tree, &self.tree.blocks[number], self.probe, self.best)
+    }
+
+    #[inline(always)]
+    fn round(&mut self, lanes: L, primitive: Primitive) -> bool {
+        if let Some(t) = meet_round(self.shapes, self.probe, primitive) {
+            self.best.settle(lanes, &self.tree.faces, self.probe);
+            self.best.offer(t, primitive);
+            return ANY && self.best.primitive.is_some();
+        }
+        false
+    }
+}
+
+/// The way through a tree, nearest boxes first; with `ANY`, in no order.
+#[inline(always)]
+pub(super) fn descend<L: Lanes, const ANY: bool, E: Ends<L>>(
+    lanes: L,
+    nodes: &[Node],
+    slabs: &Slabs<L>,
+    ends: &mut E,
+) {
+    if nodes.is_empty() {
         return;
     }
-    let slabs = Slabs::new(lanes, probe);
     let mut stack = [MaybeUninit::uninit(); STACK];
     let mut waiting = 0;
     let mut current = Child::ROOT;
     loop {
         match current.below() {
             Below::Node(number) => {
-                let node = &tree.nodes[number];
-                let (near, mut met) = slabs.meet(lanes, node, best.t);
+                let node = &nodes[number];
+                let (near, mut met) = slabs.meet(lanes, node, ends.limit());
                 if met != 0 {
                     // Where any meeting will do, the largest come first: they are the last lanes.
                     let near = if ANY { [0.0; LANES] } else { lanes.store(near) };
@@ -84,21 +142,17 @@ pub(super) fn walk<L: Lanes, const ANY: bool>(
                 }
             }
             Below::Block(number) => {
-                if meet_block::<L, ANY>(lanes, tree, &tree.blocks[number], probe, best) {
+                if ends.block(lanes, number) {
                     return;
                 }
             }
             Below::Round(primitive) => {
-                if let Some(t) = meet_round(shapes, probe, primitive) {
-                    best.settle(lanes, &tree.faces, probe);
-                    best.offer(t, primitive);
-                    if ANY && best.primitive.is_some() {
-                        return;
-                    }
+                if ends.round(lanes, primitive) {
+                    return;
                 }
             }
         }
-        let limit = best.t * WIDEN;
+        let limit = ends.limit() * WIDEN;
         loop {
             if waiting == 0 {
                 return;
@@ -182,7 +236,7 @@ fn meet_round(shapes: &Shapes, probe: &Probe, primitive: Primitive) -> Option<f3
 }
 
 /// A ray as boxes want it.
-struct Slabs<L: Lanes> {
+pub(super) struct Slabs<L: Lanes> {
     inverse: [L::Eight; 3],
     /// o/d, for near planes and for far ones.
     origin: [[L::Eight; 2]; 3],
@@ -195,7 +249,21 @@ impl<L: Lanes> Slabs<L> {
     fn new(lanes: L, probe: &Probe) -> Self {
         let inverse = inverse(probe.near_direction, probe.near_origin);
         let origin = probe.near_origin * inverse;
-        let error = origin.abs() * (2.0 * f32::EPSILON);
+        Self::widened(lanes, inverse, origin, origin.abs() * (2.0 * f32::EPSILON))
+    }
+
+    /// The same for boxes, or a ray, that are off by so much along each axis.
+    #[inline(always)]
+    pub fn within(lanes: L, probe: &Probe, off: Vec3A) -> Self {
+        let inverse = inverse(probe.near_direction, probe.near_origin);
+        let origin = probe.near_origin * inverse;
+        let error = (origin.abs() + off * inverse.abs()) * (2.0 * f32::EPSILON);
+        Self::widened(lanes, inverse, origin, error + off * inverse.abs())
+    }
+
+    /// With an error of o/d.
+    #[inline(always)]
+    fn widened(lanes: L, inverse: Vec3A, origin: Vec3A, error: Vec3A) -> Self {
         let (near, far) = (origin + error, origin - error);
         // Not by `map`: a call that is not inlined loses what the processor is known to have.
         Self {
