@@ -7,6 +7,7 @@ pub mod cli;
 pub mod lang;
 pub mod scene;
 pub mod load;
+pub mod bodies;
 pub mod plan;
 pub mod lint;
 pub mod prepare;

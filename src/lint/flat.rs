@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::placed::{Body, Thing};
+use crate::bodies::{Body, Placed};
 
 /// Corners that stand for a disk.
 const ROUND: usize = 32;
@@ -27,10 +27,10 @@ pub(super) struct Flat {
 
 impl Flat {
     /// None if the thing is not flat.
-    pub fn of(thing: &Thing) -> Option<Self> {
+    pub fn of(thing: &Placed) -> Option<Self> {
         match &thing.body {
-            Body::Face { corners } => Self::face(corners.clone()),
-            Body::Disk { centre, normal, radius } => {
+            Body::Face { corners, .. } => Self::face(corners.clone()),
+            Body::Disk { centre, normal, radius, .. } => {
                 let (u, v) = normal.any_orthonormal_pair();
                 let corner = |i: usize| {
                     let (sin, cos) = (TAU * i as f64 / ROUND as f64).sin_cos();
@@ -39,7 +39,7 @@ impl Flat {
                 let corners = (0..ROUND).map(corner).collect();
                 Some(Self { point: *centre, normal: *normal, corners })
             }
-            Body::Plane { point, normal } => {
+            Body::Plane { point, normal, .. } => {
                 Some(Self { point: *point, normal: *normal, corners: Vec::new() })
             }
             Body::Mesh { .. } | Body::Sphere { .. } => None,

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::placed::{Body, Thing};
+use crate::bodies::{Body, Placed};
 use crate::math::{Bounds, Mesh, Transform};
 
 /// How a point lies to a closed surface.
@@ -21,9 +21,9 @@ pub(super) enum Side {
 
 /// Whether `thing` is closed and has the point inside of it. Walks over all triangles of a mesh
 /// whose box holds the point.
-pub(super) fn side(thing: &Thing, bounds: &Bounds, p: DVec3) -> Side {
+pub(super) fn side(thing: &Placed, bounds: &Bounds, p: DVec3) -> Side {
     match &thing.body {
-        Body::Sphere { centre, radius } if centre.distance(p) < *radius => Side::Behind,
+        Body::Sphere { centre, radius, .. } if centre.distance(p) < *radius => Side::Behind,
         Body::Mesh { mesh, to_metres } if bounds.holds(p) => {
             let turns = winding(mesh, *to_metres, p);
             match turns {

@@ -9,13 +9,13 @@ mod errors;
 mod fix;
 mod flat;
 mod inside;
-mod placed;
 mod rules;
 mod selection;
 mod view;
 
 use std::collections::HashMap;
 
+use crate::bodies::{self, Placed};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::outline::{Declared, Outline};
 use crate::load::Stage;
@@ -71,14 +71,14 @@ pub struct Shot<'a> {
     stage: &'a Stage,
     /// Whether the scene's own limits end the render, and not others in their place.
     own_limits: bool,
-    things: Vec<placed::Thing<'a>>,
+    things: Vec<Placed<'a>>,
 }
 
 impl<'a> Shot<'a> {
     /// A render by its name and stage. `own_limits`: whether the scene's limits end it, and not
     /// others in their place.
     pub fn new(name: At<String>, stage: &'a Stage, own_limits: bool) -> Self {
-        Self { name, stage, own_limits, things: placed::things(stage) }
+        Self { name, stage, own_limits, things: bodies::place(stage, &mut Vec::new()) }
     }
 
     /// Its name.

@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::errors::scene as errors;
-use super::objects::{Body, Placed};
 use super::space::Space;
 use super::{Settings, film};
+use crate::bodies::{Body, Placed};
 use crate::diag::Diagnostic;
 use crate::render::cameras::{Camera, Floor, Perspective};
 use crate::scene::{self, Scene};

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use super::errors::scene as errors;
-use super::objects::Placed;
 use super::textures::Textures;
+use crate::bodies::Placed;
 use crate::diag::{Diagnostic, Span};
 use crate::load::Stage;
 use crate::math::{Rgb, Spectrum};

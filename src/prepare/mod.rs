@@ -5,14 +5,12 @@
 //! film become what render knows. Faults are collected all the way.
 
 mod camera;
-mod charts;
 mod daylight;
 mod errors;
 mod film;
 mod integrator;
 mod lights;
 mod materials;
-mod objects;
 mod paths;
 mod shapes;
 mod space;
@@ -20,6 +18,7 @@ mod textures;
 
 use glam::DVec3;
 
+use crate::bodies;
 use crate::diag::{Diagnostic, Level, Span};
 use crate::load::Stage;
 use crate::math::paths::Automaton;
@@ -172,7 +171,8 @@ fn assemble(
     let scene = &*stage.scene;
     let mut found = Vec::new();
 
-    let bodies = objects::place(stage, &mut found);
+    let bodies = bodies::place(stage, &mut found);
+    textures::check(&bodies, &mut found);
     film::check(scene, settings, &mut found);
     let paths = paths::automaton(scene, plan, &mut found);
     if bodies.len() < scene.objects.len() {

@@ -7,8 +7,8 @@ use glam::{DVec3, Vec3};
 use super::errors::scene as errors;
 use super::lights::LampParts;
 use super::materials::Table;
-use super::objects::{Body, Placed};
 use super::space::Space;
+use crate::bodies::{Body, Placed};
 use crate::diag::Diagnostic;
 use crate::math::{Mesh, Progress, Transform};
 use crate::plan::{Feature, Plan};
@@ -84,9 +84,9 @@ pub(super) fn assemble(
         all.lamps.extend(lamps.into_values());
         all.slivers += slivers;
         if slivers > 0 {
-            found.push(errors::lost_triangles(placed.name, slivers, placed.body.triangles()));
+            found.push(errors::lost_triangles(placed.name(), slivers, placed.body.triangles()));
         } else if !space.tells(placed) {
-            found.push(errors::too_small(placed.name));
+            found.push(errors::too_small(placed.name()));
         }
     }
     progress.advance(bodies.len() as u64, bodies.len() as u64);
@@ -95,16 +95,6 @@ pub(super) fn assemble(
 
 /// Triangles beyond which a scene is refused: they would need some 20 GB.
 const MOST_TRIANGLES: usize = Shapes::MOST / 8;
-
-impl Body<'_> {
-    fn triangles(&self) -> usize {
-        match self {
-            Self::Mesh { mesh, .. } => mesh.triangles.len(),
-            Self::Face { corners, .. } => corners.len() - 2,
-            _ => 0,
-        }
-    }
-}
 
 impl Space {
     /// Whether single precision can tell the object's form.
@@ -203,7 +193,7 @@ impl One<'_> {
                 // The point of the plane that is nearest to the middle of the scene.
                 let point = *normal * normal.dot(self.space.point(*point));
                 if point.length() > FARTHEST_PLANE {
-                    found.push(errors::beyond_scene(self.placed.name, FARTHEST_PLANE));
+                    found.push(errors::beyond_scene(self.placed.name(), FARTHEST_PLANE));
                     return;
                 }
                 let shape = Plane {

@@ -6,7 +6,7 @@
 
 use glam::{DAffine3, DVec3};
 
-use super::objects::{Body, Placed};
+use crate::bodies::{Body, Placed};
 use crate::math::Bounds;
 use crate::scene;
 

@@ -5,7 +5,10 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::errors::texture as errors;
 use super::materials::as_f32;
+use crate::bodies::{Body, Placed};
+use crate::diag::Diagnostic;
 use crate::load::{Stage, StagedTexture};
 use crate::math::{Rgb, Texels, Values, srgb};
 use crate::optics::colour;
@@ -32,6 +35,23 @@ impl<'a> Textures<'a> {
         let staged = self.stage.texture(name);
         let known = self.known.entry(&staged.texture.name.value);
         Colour::Texture(known.or_insert_with(|| Arc::new(texture(staged))).clone())
+    }
+}
+
+/// Finds meshes with a texture that they have no coordinates for; of each the first.
+pub(super) fn check(bodies: &[Placed], found: &mut Vec<Diagnostic>) {
+    for placed in bodies {
+        let Body::Mesh { mesh, .. } = placed.body else { continue };
+        let slots = placed.parts.iter().enumerate();
+        let mut slots = slots.flat_map(|(slot, parts)| parts.iter().map(move |part| (slot, part)));
+        found.extend(slots.find_map(|(slot, (_, material))| {
+            let said = material.value.value.reflectance()?;
+            let texture = said.texture()?;
+            let without = mesh.without_coordinates(slot as u32);
+            let counts = (without, mesh.triangles.len());
+            let name = placed.name();
+            (counts.0 > 0).then(|| errors::no_coordinates(name, &texture.name, said.span, counts))
+        }));
     }
 }
 

@@ -1,9 +1,9 @@
 //! A camera inside of a closed object: it sees the inner side of one surface and nothing else.
 
+use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::lint::inside::{Side, side};
-use crate::lint::placed::Thing;
 use crate::lint::view::eye;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
@@ -23,7 +23,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn inside(thing: &Thing, at: Span) -> Diagnostic {
+fn inside(thing: &Placed, at: Span) -> Diagnostic {
     let headline = format!("the camera is inside of `{}`", thing.name().value);
     Diagnostic::warning(Code::LINT_CAMERA_INSIDE, headline)
         .label(at, "stands inside of it")

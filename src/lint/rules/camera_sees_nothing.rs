@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
+use crate::bodies::Body;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
-use crate::lint::placed::Body;
 use crate::lint::view::View;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {

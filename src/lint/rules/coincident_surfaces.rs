@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
+use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic};
 use crate::lint::Shot;
 use crate::lint::flat::Flat;
-use crate::lint::placed::{Body, Thing};
 use crate::scene::{Material, Named};
 
 /// The same place, as a part of the size.
@@ -27,30 +27,30 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
 }
 
 /// Whether two things fill the same place.
-fn is_same(one: &Thing, other: &Thing) -> bool {
+fn is_same(one: &Placed, other: &Placed) -> bool {
     let near = |a: DVec3, b: DVec3, size: f64| a.distance(b) <= SAME * size;
     match (&one.body, &other.body) {
         (Body::Mesh { mesh: a, to_metres: at }, Body::Mesh { mesh: b, to_metres: there }) => {
             std::ptr::eq(*a, *b) && at == there
         }
-        (Body::Face { corners: a }, Body::Face { corners: b }) => {
+        (Body::Face { corners: a, .. }, Body::Face { corners: b, .. }) => {
             let size = one.bounds().size();
             let has = |p: &DVec3| b.iter().any(|q| near(*p, *q, size));
             a.len() == b.len() && a.iter().all(has)
         }
-        (Body::Sphere { centre: a, radius: r }, Body::Sphere { centre: b, radius: s }) => {
+        (Body::Sphere { centre: a, radius: r, .. }, Body::Sphere { centre: b, radius: s, .. }) => {
             near(*a, *b, *r) && (r - s).abs() <= SAME * r
         }
         (
-            Body::Disk { centre: a, radius: r, normal: n },
-            Body::Disk { centre: b, radius: s, normal: m },
+            Body::Disk { centre: a, radius: r, normal: n, .. },
+            Body::Disk { centre: b, radius: s, normal: m, .. },
         ) => near(*a, *b, *r) && (r - s).abs() <= SAME * r && n.cross(*m).length() <= SAME,
         _ => false,
     }
 }
 
 /// Whether a difference between two flat surfaces in one plane can be seen.
-fn fights(one: &Thing, other: &Thing, flats: (&Option<Flat>, &Option<Flat>)) -> bool {
+fn fights(one: &Placed, other: &Placed, flats: (&Option<Flat>, &Option<Flat>)) -> bool {
     let lamp = one.shines() || other.shines();
     let seen = |a: &Flat, b: &Flat, differ: bool| {
         // The bottom of a box on a floor looks down: neither is seen there.
@@ -72,8 +72,8 @@ fn fights(one: &Thing, other: &Thing, flats: (&Option<Flat>, &Option<Flat>)) -> 
 /// The same with a mesh; only lamps and planes are laid onto meshes by a slip.
 fn meets(
     flat: &Flat,
-    thing: &Thing,
-    other: &Thing,
+    thing: &Placed,
+    other: &Placed,
     seen: impl Fn(&Flat, &Flat, bool) -> bool,
 ) -> bool {
     let Body::Mesh { mesh, to_metres } = &other.body else { return false };
@@ -94,7 +94,7 @@ fn is_alike(one: &Named<Material>, other: &Named<Material>) -> bool {
     one.value == other.value
 }
 
-fn same(one: &Thing, other: &Thing) -> Diagnostic {
+fn same(one: &Placed, other: &Placed) -> Diagnostic {
     let headline = format!(
         "`{}` and `{}` are the same surface at the same place",
         other.name().value,
@@ -107,7 +107,7 @@ fn same(one: &Thing, other: &Thing) -> Diagnostic {
         .help("move one of them, or take it away")
 }
 
-fn overlapping(one: &Thing, other: &Thing) -> Diagnostic {
+fn overlapping(one: &Placed, other: &Placed) -> Diagnostic {
     let headline = format!("`{}` and `{}` lie on each other", other.name().value, one.name().value);
     Diagnostic::warning(Code::LINT_COINCIDENT_SURFACES, headline)
         .label(one.name().span, "lies in one plane, and partly at one place …")

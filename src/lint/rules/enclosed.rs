@@ -1,9 +1,9 @@
 //! An object wholly inside of another that is closed: it is not seen, and shines on nothing.
 
+use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic};
 use crate::lint::Shot;
 use crate::lint::inside::{Side, side};
-use crate::lint::placed::Thing;
 use crate::lint::view::eye;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
@@ -25,7 +25,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn enclosed(thing: &Thing, outer: &Thing) -> Diagnostic {
+fn enclosed(thing: &Placed, outer: &Placed) -> Diagnostic {
     let (name, around) = (&thing.name().value, &outer.name().value);
     let (what, label) = match thing.shines() {
         true => ("lamp", "shines on the inside of the other alone"),

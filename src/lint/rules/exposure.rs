@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
+use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
-use crate::lint::placed::Thing;
 use crate::math::Bounds;
 use crate::optics::colour;
 use crate::plan::daylight::Daylight;
@@ -30,7 +30,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let stated = (exposure.span != scene.film.span).then_some(exposure.span);
     let factor = stops.exp2();
     let most = |channels: [f64; 3]| channels.into_iter().fold(0.0, f64::max);
-    let materials = || shot.things.iter().flat_map(|thing| &thing.parts);
+    let materials = || shot.things.iter().flat_map(|thing| thing.all_parts());
     let scattering = materials().filter(|material| material.value.scatters());
     let albedo = scattering.filter_map(|material| material.value.reflectance());
     let albedo = albedo.map(|albedo| most(largest(shot.stage, albedo))).fold(0.0, f64::max);
@@ -78,7 +78,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
 
 /// The greatest and the least distance of a point from surfaces. Planes reach any distance.
 fn distances(shot: &Shot, p: DVec3) -> [f64; 2] {
-    let boxes = || shot.things.iter().map(Thing::bounds);
+    let boxes = || shot.things.iter().map(Placed::bounds);
     let bounded = boxes().filter(|bounds| !bounds.is_empty());
     let farthest = |bounds: Bounds| {
         bounds.corners().into_iter().map(|corner| corner.distance(p)).fold(0.0, f64::max)

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
+use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
-use crate::lint::placed::{Body, Thing};
 use crate::lint::view::eye;
 use crate::math::Bounds;
 
@@ -13,10 +13,10 @@ const ROUNDING: f64 = 1e-9;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let Some((eye, at)) = eye(shot) else { return };
-    let boxes: Vec<(&Thing, Bounds)> = shot.things.iter().map(|it| (it, it.bounds())).collect();
+    let boxes: Vec<(&Placed, Bounds)> = shot.things.iter().map(|it| (it, it.bounds())).collect();
     let bounded: Vec<_> = boxes.iter().filter(|(_, bounds)| !bounds.is_empty()).collect();
     for plane in &shot.things {
-        let Body::Plane { point, normal } = plane.body else { continue };
+        let Body::Plane { point, normal, .. } = plane.body else { continue };
         let side = (eye - point).dot(normal).signum();
         let hidden = |bounds: &Bounds| {
             let most = ROUNDING * bounds.size();
@@ -36,7 +36,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn camera(plane: &Thing, at: Span) -> Diagnostic {
+fn camera(plane: &Placed, at: Span) -> Diagnostic {
     let headline = format!("the plane `{}` hides everything from the camera", plane.name().value);
     Diagnostic::warning(Code::LINT_HIDDEN_BY_PLANE, headline)
         .label(at, "stands on one side of it")
@@ -44,7 +44,7 @@ fn camera(plane: &Thing, at: Span) -> Diagnostic {
         .help("raise the camera above the plane, or lower the plane")
 }
 
-fn object(thing: &Thing, plane: &Thing) -> Diagnostic {
+fn object(thing: &Placed, plane: &Placed) -> Diagnostic {
     let (name, floor) = (&thing.name().value, &plane.name().value);
     let headline = format!("`{name}` is hidden behind the plane `{floor}`");
     Diagnostic::warning(Code::LINT_HIDDEN_BY_PLANE, headline)

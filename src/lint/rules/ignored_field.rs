@@ -1,7 +1,7 @@
 //! A field that is stated and changes nothing, because nothing asks for it in any render.
 
+use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
-use crate::lint::placed::Thing;
 use crate::lint::{Shot, everywhere};
 use crate::scene::{Integrator, Roulette};
 
@@ -18,7 +18,7 @@ pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
         let mut places = Vec::new();
         let integrator = &scene.integrator;
         let materials = || shot.things.iter().flat_map(|thing| &thing.materials);
-        let lamps = shot.things.iter().any(Thing::shines);
+        let lamps = shot.things.iter().any(Placed::shines);
         let mirrors = materials().any(|material| !material.value.scatters());
         let mut said = |field: Span, used: bool, name: &'static str, why: &'static str| {
             places.push((field, integrator.span, used, name, why));

@@ -1,9 +1,9 @@
 //! A closed mesh that shines, and whose fronts look inward: it lights its own inside.
 
+use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic};
 use crate::lint::Shot;
 use crate::lint::inside::{Side, is_closed, side, volume};
-use crate::lint::placed::{Body, Thing};
 use crate::lint::view::eye;
 use crate::scene::Integrator;
 
@@ -20,7 +20,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
         // A room or a sky of light is there for what is inside.
         let bounds = lamp.bounds();
         let others = shot.things.iter().filter(|other| !std::ptr::eq(*other, lamp));
-        let centres = others.map(Thing::bounds).filter(|it| !it.is_empty()).map(|it| it.centre());
+        let centres = others.map(Placed::bounds).filter(|it| !it.is_empty()).map(|it| it.centre());
         let inside = |p| side(lamp, &bounds, p) != Side::Outside;
         if !centres.chain([eye]).any(inside) {
             found.push(inward(lamp));
@@ -28,7 +28,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn inward(lamp: &Thing) -> Diagnostic {
+fn inward(lamp: &Placed) -> Diagnostic {
     let headline = format!("the lamp `{}` shines inward", lamp.name().value);
     Diagnostic::warning(Code::LINT_INWARD_LAMP, headline)
         .label(lamp.name().span, "is closed, and the fronts of its faces look inward")

@@ -1,9 +1,9 @@
 //! A flat lamp whose front looks away from everything: lamps shine from their front alone.
 
+use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic};
 use crate::lint::Shot;
 use crate::lint::flat::Flat;
-use crate::lint::placed::{Body, Thing};
 use crate::lint::view::eye;
 use crate::scene::{Integrator, Object};
 
@@ -20,7 +20,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
         let least = 1e-9 * lamp.bounds().size();
         let lit = others.into_iter().any(|other| match &other.body {
             // It rises somewhere, unless it is parallel.
-            Body::Plane { point, normal } => {
+            Body::Plane { point, normal, .. } => {
                 normal.cross(flat.normal).length() > 1e-9 || height(*point) > least
             }
             _ => other.bounds().corners().into_iter().any(|corner| height(corner) > least),
@@ -32,7 +32,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn away(lamp: &Thing) -> Diagnostic {
+fn away(lamp: &Placed) -> Diagnostic {
     let name = &lamp.name().value;
     let turn = match &lamp.object.value.value {
         Object::Quad(_) => "swap its `u` and `v`",

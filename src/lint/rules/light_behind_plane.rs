@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
+use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic, Span};
-use crate::lint::placed::{Body, Thing};
 use crate::lint::view::eye;
 use crate::lint::{Shot, everywhere};
 use crate::scene::{Light, PointLight, SpotLight};
@@ -26,7 +26,7 @@ pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
                 }
                 _ => return None,
             };
-            let blocks = |plane: &&Thing| shadows && blocks(shot, plane, from);
+            let blocks = |plane: &&Placed| shadows && blocks(shot, plane, from);
             let plane = shot.things.iter().find(blocks);
             Some((at, plane.map(|plane| behind(&light.name.value, from, at, plane))))
         });
@@ -44,11 +44,11 @@ enum From {
 }
 
 /// Whether a plane keeps the light from the side of it on which the camera and all objects are.
-fn blocks(shot: &Shot, plane: &Thing, from: From) -> bool {
-    let Body::Plane { point, normal } = plane.body else { return false };
+fn blocks(shot: &Shot, plane: &Placed, from: From) -> bool {
+    let Body::Plane { point, normal, .. } = plane.body else { return false };
     let Some((eye, _)) = eye(shot) else { return false };
     let side = (eye - point).dot(normal).signum();
-    let boxes = shot.things.iter().map(Thing::bounds).filter(|bounds| !bounds.is_empty());
+    let boxes = shot.things.iter().map(Placed::bounds).filter(|bounds| !bounds.is_empty());
     // What is partly below the floor may be meant to be lit there.
     let all_here = boxes.into_iter().all(|bounds| {
         let least = -1e-6 * bounds.size();
@@ -61,7 +61,7 @@ fn blocks(shot: &Shot, plane: &Thing, from: From) -> bool {
     all_here && height * side < 0.0
 }
 
-fn behind(name: &str, from: From, at: Span, plane: &Thing) -> Diagnostic {
+fn behind(name: &str, from: From, at: Span, plane: &Placed) -> Diagnostic {
     let headline =
         format!("the light `{name}` comes from behind the plane `{}`", plane.name().value);
     let fault = Diagnostic::warning(Code::LINT_LIGHT_BEHIND_PLANE, headline);

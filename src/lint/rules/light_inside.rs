@@ -1,10 +1,10 @@
 //! A point or a spot inside of a closed object that lets no light through: it lights nothing that
 //! is seen.
 
+use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::lint::inside::{Side, side};
-use crate::lint::placed::Thing;
 use crate::lint::view::eye;
 use crate::scene::{Light, PointLight, SpotLight};
 
@@ -32,7 +32,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn hidden(name: &str, at: Span, around: &Thing) -> Diagnostic {
+fn hidden(name: &str, at: Span, around: &Placed) -> Diagnostic {
     let headline = format!("the light `{name}` is inside of `{}`", around.name().value);
     Diagnostic::warning(Code::LINT_LIGHT_INSIDE, headline)
         .label(at, "is in there")

@@ -1,9 +1,9 @@
 //! Clear matter whose surface is open: light goes in, and is inside for ever.
 
+use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic};
 use crate::lint::Shot;
 use crate::lint::inside::is_closed;
-use crate::lint::placed::{Body, Thing};
 use crate::scene::Material;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
@@ -31,8 +31,8 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
 }
 
 /// The media that surfaces of a thing have on a side.
-fn media<'a>(thing: &Thing<'a>) -> impl Iterator<Item = &'a str> {
-    let sides = thing.parts.iter().filter_map(|part| match &part.value.value {
+fn media<'a>(thing: &Placed<'a>) -> impl Iterator<Item = &'a str> {
+    let sides = thing.all_parts().filter_map(|part| match &part.value.value {
         Material::Dielectric(it) => Some([Some(&it.inside.value), it.outside.value.as_ref()]),
         _ => None,
     });

@@ -1,9 +1,9 @@
 //! A body of clear matter inside of another, before whose surface a vacuum is taken.
 
+use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::lint::inside::{Side, side};
-use crate::lint::placed::Thing;
 use crate::scene::Material;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
@@ -23,7 +23,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
 }
 
 /// Where a material of clear matter stands that does not say what is before it.
-fn unsaid(thing: &Thing) -> Option<Span> {
+fn unsaid(thing: &Placed) -> Option<Span> {
     thing.materials.iter().find_map(|material| match &material.value.value {
         Material::Dielectric(dielectric) if dielectric.outside.is_none() => {
             Some(material.value.span)
@@ -32,7 +32,7 @@ fn unsaid(thing: &Thing) -> Option<Span> {
     })
 }
 
-fn in_a_vacuum(thing: &Thing, outer: &Thing, at: Span) -> Diagnostic {
+fn in_a_vacuum(thing: &Placed, outer: &Placed, at: Span) -> Diagnostic {
     let (name, around) = (&thing.name().value, &outer.name().value);
     let headline = format!("`{name}` is inside of `{around}`, and before its surface is a vacuum");
     Diagnostic::warning(Code::LINT_OUTSIDE_UNSAID, headline)

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
+use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
-use crate::lint::placed::{Body, Thing};
 use crate::scene::{Light, Preetham};
 
 /// A floor may slope so much, by the cosine: 60°.
@@ -24,14 +24,14 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     }
 }
 
-fn normal(thing: &Thing) -> Option<DVec3> {
+fn normal(thing: &Placed) -> Option<DVec3> {
     match thing.body {
         Body::Plane { normal, .. } => Some(normal),
         _ => None,
     }
 }
 
-fn on_its_side(name: &str, sky: &Preetham, light: Span, plane: &Thing) -> Diagnostic {
+fn on_its_side(name: &str, sky: &Preetham, light: Span, plane: &Placed) -> Diagnostic {
     let headline = format!("the sky `{name}` lies on its side");
     // A default's place is the record that left it out.
     let label = match sky.up.span == light {

@@ -1,9 +1,9 @@
 //! A mesh a thousand times as large as all else together, or a thousand times as small: its unit
 //! is probably another one. Shapes that the scene itself measures out are taken at their word.
 
+use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
-use crate::lint::placed::Thing;
 use crate::math::Bounds;
 use crate::scene::Object;
 
@@ -11,7 +11,7 @@ use crate::scene::Object;
 const FACTOR: f64 = 1000.0;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
-    let boxes: Vec<(&Thing, Bounds)> =
+    let boxes: Vec<(&Placed, Bounds)> =
         shot.things.iter().map(|thing| (thing, thing.bounds())).collect();
     for (i, (thing, bounds)) in boxes.iter().enumerate() {
         let Object::Mesh(mesh) = &thing.object.value.value else { continue };

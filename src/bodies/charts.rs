@@ -9,19 +9,19 @@ use crate::scene;
 const SQUARE: f64 = 1e-6;
 
 /// A sphere: to the unit sphere.
-pub(super) fn sphere(place: Transform, sphere: &scene::Sphere) -> Transform {
+pub fn sphere(place: Transform, sphere: &scene::Sphere) -> Transform {
     let shrink = DAffine3::from_scale(DVec3::splat(1.0 / sphere.radius.0));
     back(place, sphere.center.0).then(Transform(shrink))
 }
 
 /// A disk: 0 to 1 over the square around it.
-pub(super) fn disk(place: Transform, disk: &scene::Disk) -> Transform {
+pub fn disk(place: Transform, disk: &scene::Disk) -> Transform {
     let size = 2.0 * disk.radius.0;
     back(place, disk.center.0).then(flat(disk.normal.0, size, DVec2::splat(0.5)))
 }
 
 /// A plane: 1 for each tile.
-pub(super) fn plane(place: Transform, plane: &scene::Plane) -> Transform {
+pub fn plane(place: Transform, plane: &scene::Plane) -> Transform {
     back(place, plane.point.0).then(flat(plane.normal.0, plane.tile.0, DVec2::ZERO))
 }
 

@@ -3,68 +3,97 @@
 use glam::{DAffine3, DVec2, DVec3};
 
 use super::charts;
-use super::errors::{scene as errors, texture as texture_errors};
+use super::errors::scene as errors;
 use crate::diag::{Diagnostic, Span};
 use crate::load::{Stage, StagedMesh};
 use crate::math::{Bounds, Mesh, Transform};
 use crate::scene::{self, At, Material, Named, Object};
 
 /// An object where it stands.
-pub(super) struct Placed<'a> {
+pub struct Placed<'a> {
     /// Its number in the scene.
     pub number: u32,
-    /// Its name, and where it is said.
-    pub name: &'a At<String>,
+    /// As the author said it.
+    pub object: &'a Named<Object>,
     /// Its surface.
     pub body: Body<'a>,
     /// Materials of its slots; all but meshes have one.
     pub materials: Vec<&'a Named<Material>>,
     /// What each of them is made of, and the part of each.
     pub parts: Vec<Vec<(f64, &'a Named<Material>)>>,
+    /// The box around it in metres; empty for a plane.
+    bounds: Bounds,
 }
 
 /// A surface in metres. A mirrored one has its front where the mirror shows it.
-pub(super) enum Body<'a> {
-    /// Triangles of a mesh, and the map from its file to metres.
-    Mesh { mesh: &'a Mesh, to_metres: Transform },
-    /// A flat face of three or four corners, counter-clockwise seen from the front, with the
-    /// texture coordinates of each.
-    Face { corners: Vec<DVec3>, coordinates: Vec<DVec2> },
-    /// A sphere. Charts are from metres, and as [`Shapes::chart`] wants them.
-    ///
-    /// [`Shapes::chart`]: crate::render::geometry::Shapes::chart
-    Sphere { centre: DVec3, radius: f64, chart: Transform },
-    /// A disk; `normal` has unit length.
-    Disk { centre: DVec3, normal: DVec3, radius: f64, chart: Transform },
-    /// A plane; `normal` has unit length.
-    Plane { point: DVec3, normal: DVec3, chart: Transform },
+pub enum Body<'a> {
+    /// Triangles of a mesh.
+    Mesh {
+        /// In the units of its file.
+        mesh: &'a Mesh,
+        /// From there to metres.
+        to_metres: Transform,
+    },
+    /// A flat face.
+    Face {
+        /// Three or four, counter-clockwise seen from the front.
+        corners: Vec<DVec3>,
+        /// Texture coordinates of each.
+        coordinates: Vec<DVec2>,
+    },
+    /// A sphere.
+    Sphere {
+        /// Its centre.
+        centre: DVec3,
+        /// Its radius.
+        radius: f64,
+        /// From metres to where textures lie on it.
+        chart: Transform,
+    },
+    /// A disk.
+    Disk {
+        /// Its centre.
+        centre: DVec3,
+        /// Unit length.
+        normal: DVec3,
+        /// Its radius.
+        radius: f64,
+        /// From metres to where textures lie on it.
+        chart: Transform,
+    },
+    /// A plane without end.
+    Plane {
+        /// A point of it.
+        point: DVec3,
+        /// Unit length.
+        normal: DVec3,
+        /// From metres to where textures lie on it.
+        chart: Transform,
+    },
 }
 
 /// Coordinates and sizes in metres must lie below this, and sizes above its inverse: their
 /// products of six stay far from the ends of f64.
 const MOST: f64 = 1e40;
 
-/// All objects of a stage that can be placed.
-pub(super) fn place<'a>(stage: &'a Stage, found: &mut Vec<Diagnostic>) -> Vec<Placed<'a>> {
+/// All objects of a stage that can be placed, in their order.
+pub fn place<'a>(stage: &'a Stage, found: &mut Vec<Diagnostic>) -> Vec<Placed<'a>> {
     let scene = &*stage.scene;
     let mut all = Vec::new();
     for ((number, object), mesh) in scene.objects.iter().enumerate().zip(&stage.meshes) {
-        let name = &object.name;
-        let Some(body) = body(name, &object.value, mesh.as_ref(), found) else { continue };
+        let body = body(&object.name, &object.value, mesh.as_ref(), found);
+        let Some(body) = body else { continue };
         let materials: Vec<&Named<Material>> = match (&object.value.value, mesh) {
             (Object::Mesh(_), Some(staged)) => staged.materials.iter().collect(),
             (other, _) => material(other).map(|m| scene.material(m)).into_iter().collect(),
         };
         let parts = materials.iter().map(|material| scene.parts(material)).collect();
-        let placed = Placed { number: number as u32, name, body, materials, parts };
-        if let Some(fault) = placed.lacks_coordinates() {
-            found.push(fault);
-            continue;
-        }
+        let bounds = body.bounds();
+        let placed = Placed { number: number as u32, object, body, materials, parts, bounds };
         if placed.is_within_numbers() {
             all.push(placed);
         } else {
-            found.push(errors::beyond_numbers(name, object.value.span));
+            found.push(errors::beyond_numbers(&object.name, object.value.span));
         }
     }
     all
@@ -194,26 +223,18 @@ impl Placing<'_> {
     }
 }
 
-impl Placed<'_> {
-    /// The fault of a mesh with a texture that it has no coordinates for.
-    fn lacks_coordinates(&self) -> Option<Diagnostic> {
-        let Body::Mesh { mesh, .. } = self.body else { return None };
-        let slots = self.parts.iter().enumerate();
-        let mut slots = slots.flat_map(|(slot, parts)| parts.iter().map(move |part| (slot, part)));
-        slots.find_map(|(slot, (_, material))| {
-            let said = material.value.value.reflectance()?;
-            let texture = said.texture()?;
-            let without = mesh.without_coordinates(slot as u32);
-            let counts = (without, mesh.triangles.len());
-            (counts.0 > 0).then(|| {
-                texture_errors::no_coordinates(self.name, &texture.name, said.span, counts)
-            })
-        })
+impl Body<'_> {
+    /// How many triangles it is.
+    pub fn triangles(&self) -> usize {
+        match self {
+            Self::Mesh { mesh, .. } => mesh.triangles.len(),
+            Self::Face { corners, .. } => corners.len() - 2,
+            _ => 0,
+        }
     }
 
-    /// The box around it in metres; empty for a plane.
-    pub fn bounds(&self) -> Bounds {
-        match &self.body {
+    fn bounds(&self) -> Bounds {
+        match self {
             Body::Mesh { mesh, to_metres } => {
                 let corners = mesh.triangles.iter().flatten();
                 Bounds::around(corners.map(|i| to_metres.point(mesh.positions[*i as usize])))
@@ -230,6 +251,51 @@ impl Placed<'_> {
             Body::Plane { .. } => Bounds::EMPTY,
         }
     }
+}
+
+impl<'a> Placed<'a> {
+    /// Its name.
+    pub fn name(&self) -> &'a At<String> {
+        &self.object.name
+    }
+
+    /// The steps that place it.
+    pub fn place(&self) -> &'a At<scene::Place> {
+        match &self.object.value.value {
+            Object::Disk(it) => &it.place,
+            Object::Mesh(it) => &it.place,
+            Object::Plane(it) => &it.place,
+            Object::Quad(it) => &it.place,
+            Object::Sphere(it) => &it.place,
+            Object::Triangle(it) => &it.place,
+        }
+    }
+
+    /// What its materials are made of: parts of mixtures, and those that are none.
+    pub fn all_parts(&self) -> impl Iterator<Item = &'a Named<Material>> {
+        self.parts.iter().flatten().map(|(_, part)| *part)
+    }
+
+    /// Whether any of its surface shines.
+    pub fn shines(&self) -> bool {
+        self.all_parts().any(|part| part.value.shines())
+    }
+
+    /// Whether some part of it shines on both of its sides.
+    pub fn shines_both_ways(&self) -> bool {
+        let mut glow = self.materials.iter().filter_map(|material| material.value.glow());
+        glow.any(|(emission, sides)| !emission.0.is_zero() && sides.value == scene::Sides::Both)
+    }
+
+    /// Whether light goes through some part of it.
+    pub fn transmits(&self) -> bool {
+        self.all_parts().any(|part| part.value.transmits())
+    }
+
+    /// The box around it in metres; empty for a plane.
+    pub fn bounds(&self) -> Bounds {
+        self.bounds
+    }
 
     fn is_within_numbers(&self) -> bool {
         let near = |p: DVec3| p.abs().max_element() <= MOST;
@@ -240,7 +306,7 @@ impl Placed<'_> {
             }
             Body::Plane { point, .. } => near(*point),
             Body::Mesh { .. } | Body::Face { .. } => {
-                let bounds = self.bounds();
+                let bounds = self.bounds;
                 let extent = 2.0 * bounds.half().max_element();
                 bounds.is_empty() || near(bounds.min) && near(bounds.max) && size(extent)
             }

@@ -1,0 +1,3 @@
+//! Faults that show when objects are placed and joined to bodies.
+
+pub(super) mod scene;
