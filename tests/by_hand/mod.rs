@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test file uses a part of it")]
 
+pub mod vocabulary;
+
 use std::f64::consts::FRAC_PI_4;
 use std::path::PathBuf;
 use std::sync::Arc;

@@ -119,7 +119,7 @@ impl Direct {
         }
         let [u, v, lobe, chance] = stream.four();
         let Some(mut way) = bsdf.sample(Part::Specular, [u, v, lobe, chance]) else { return };
-        let throughput = branch.throughput * way.weight;
+        let throughput = branch.throughput * way.weight / branch.squeeze;
         let survival = self.roulette.survival(way.weight, throughput, branch.mirrored);
         if chance >= f64::from(survival) {
             return;

@@ -1,6 +1,7 @@
 //! Mirrors, metals, glass and mixtures keep the energy of light, and give it back where physics
 //! has it.
 
+#[path = "../by_hand/mod.rs"]
 mod by_hand;
 
 use glam::{DVec3, dvec3};
