@@ -83,6 +83,89 @@ fn forms_of_other_languages_are_known() {
 }
 
 #[test]
+fn what_stands_further_in_is_offered() {
+    for (text, offered) in [
+        ("material a: dielectric { ior: 1.5 }", "write `inside: homogeneous { ior: 1.5 }`"),
+        ("material a: dielectric { inside: glass.bk7 }", "`homogeneous { ior: glass.bk7 }`"),
+        ("material a: dielectric { inside: 1.5 }", "write `homogeneous { ior: 1.5 }`"),
+        ("material a: dielectric { inside: bk7 }", "mean `homogeneous { ior: glass.bk7 }`"),
+        ("material a: conductor { ior: gold }", "did you mean `metal.gold`?"),
+        (
+            "material a: glass { ior: 1.5 }",
+            "did you mean `dielectric`, as in `dielectric { inside: homogeneous { ior: 1.5 } }`",
+        ),
+        ("material a: metal { ior: metal.gold }", "did you mean `conductor`, as in"),
+        (
+            "object a: sphere { center: (0, 0, 0), radius: 1 m, material: glass }",
+            "`material glass: dielectric { inside: homogeneous { ior: 1.5 } }`",
+        ),
+        (
+            "object a: sphere { center: (0, 0, 0), radius: 1 m, albedo: 0.5 }",
+            "write `material: diffuse { albedo: 0.5 }`",
+        ),
+        (
+            "object a: sphere { center: (0, 0, 0), radius: 1 m, material: 0.5 }",
+            "write `diffuse { albedo: 0.5 }` or `mirror { reflectance: 0.5 }`",
+        ),
+        (
+            "object a: sphere { center: (0, 0, 0), radius: 1 m, material: gold }",
+            "mean `conductor { ior: metal.gold }`",
+        ),
+        ("object a: sphere { center: (0, 0, 0), size: 2 m, material: mirror }", "`radius: 2 m`"),
+        ("render a { integrator: path { specular: 2 } }", "write `splits: { specular: 2 }`"),
+    ] {
+        let told = only(text);
+        assert!(told.contains(offered), "{text}: {offered}\n{told}");
+    }
+}
+
+#[test]
+fn units_that_a_place_can_have_are_offered() {
+    let day = |fields| format!("light a: preetham {{ turbidity: 3, latitude: 5 deg, {fields} }}");
+    let point = |field| format!("light a: point {{ position: (0, 0, 0), {field} }}");
+    for (text, offered) in [
+        (day("day: 1, time: 18.5"), "help: write `18.5 h` or `18:30`\n"),
+        (day("day: 1, time: 18.30"), "help: write `18.30 h` or `18:30`\n"),
+        (day("day: 1, time: 18"), "help: write `18 h` or `18:00`\n"),
+        (day("day: 1, time: 12.3456"), "help: write `12.3456 h`\n"),
+        (day("day: 1, time: 12:00, zone: 2"), "help: write `2 h` or `2:00`\n"),
+        (day("day: 1, time: 12:00, zone: -2"), "help: write `-2 h`\n"),
+        (day("day: 1, time: 12:00, zone: 90 deg"), "did you mean `6 h`?"),
+        (day("day: 1, time: 12:00, longitude: 1 h"), "did you mean `15 deg`?"),
+        ("stop: { time: 60 }".to_string(), "help: write `60 s`, `60 min` or `60 h`\n"),
+        (point("intensity: 60 W"), "write `60 W / (4 * pi * sr)`"),
+        (point("intensity: 60 W"), "or `60 W/sr`, if"),
+        (point("power: 60 W"), "write `intensity: 60 W / (4 * pi * sr)`"),
+        (
+            day("day: 1, time: 12:00, sun: disc { half_angle: 1 rad }"),
+            "must be at least 0.01 deg and at most 30 deg, and is 1 rad",
+        ),
+        ("let c = complex(0, 1)\nmaterial a: conductor { ior: c }".to_string(), "the n of `mat"),
+    ] {
+        let told = only(&text);
+        assert!(told.contains(offered), "{text}: {offered}\n{told}");
+    }
+}
+
+/// What a message offers can be written.
+#[test]
+fn what_is_offered_is_of_the_language() {
+    for text in [
+        "material a: dielectric { inside: homogeneous { ior: glass.bk7 } }",
+        "light a: point { position: (0, 0, 0), intensity: 60 W / (4 * pi * sr) }",
+        "light a: preetham { turbidity: 3, latitude: 5 deg, day: 1, time: 18:30, zone: 2:00 }",
+        "material glass: dielectric { inside: homogeneous { ior: 1.5 } }",
+    ] {
+        let text = format!("scn 1 in m\nintegrator: preview\n{text}\n");
+        let (compiled, sources) = common::compile(&text);
+        let mut told = compiled.diagnostics.iter();
+        if let Some(told) = told.find(|told| told.level == Level::Error) {
+            panic!("{text}\n{}", common::show(told, &sources));
+        }
+    }
+}
+
+#[test]
 fn what_is_too_far_is_not_offered() {
     for (text, not) in [
         ("let c = red * 1", "rad"),

@@ -268,7 +268,7 @@ impl Composer<'_> {
             if !(self.lenient && is_somewhere(&part.text)) {
                 let all: Vec<_> = schema.fields.iter().map(|field| field.word).collect();
                 let owner = if schema.word.is_empty() { path } else { schema.word };
-                let told = names::unknown_field(owner, part, &all);
+                let told = names::unknown_field(owner, part, &all, (&[], None));
                 self.ev.reports.tell(told.label(value.span, format!("`{owner}` is stated here")));
             }
             return None;

@@ -108,8 +108,7 @@ fn rotate(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
 
 fn blackbody(ev: &Evaluator, value: &Value) -> Option<ValueKind> {
     let what = "the temperature of `blackbody`";
-    let kelvin = check::number(ev, value, Dimension::TEMPERATURE, what)?;
-    check::in_range(ev, value, kelvin, &Range::above(0.0), Dimension::TEMPERATURE, what)?;
+    let kelvin = check::number_within(ev, value, Dimension::TEMPERATURE, &Range::above(0.0), what)?;
     let radiance = Spectrum::of(Formula::Blackbody(kelvin));
     Some(ValueKind::Spectrum(radiance, Dimension::SPECTRAL_RADIANCE))
 }
@@ -125,8 +124,8 @@ fn data(ev: &Evaluator, values: &[Value], span: Span) -> Option<ValueKind> {
     let unit = match values.get(1) {
         Some(unit) => {
             let what = "the unit of `data`";
-            let metres = check::number(ev, unit, Dimension::LENGTH, what)?;
-            check::in_range(ev, unit, metres, &Range::above(0.0), Dimension::LENGTH, what)?;
+            let metres =
+                check::number_within(ev, unit, Dimension::LENGTH, &Range::above(0.0), what)?;
             neat(metres / 1e-9)
         }
         None => 1.0,

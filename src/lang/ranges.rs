@@ -1,6 +1,6 @@
 //! Ranges: `1 to 9 step 2`, which include their end.
 
-use super::errors::{render, types};
+use super::errors::{quantities, render, types};
 use super::eval::Evaluator;
 use super::value::{Value, ValueKind};
 use super::{arithmetic, limits};
@@ -28,7 +28,7 @@ pub fn range(ev: &Evaluator, from: Value, to: Value, step: Option<Value>, span: 
                 written = written.or(unit);
                 if *same.get_or_insert(dimension) != dimension {
                     let first = same.map_or_else(String::new, Dimension::name);
-                    ev.reports.tell(types::dimension(
+                    ev.reports.tell(quantities::dimension(
                         "this range",
                         &first,
                         &dimension.name(),

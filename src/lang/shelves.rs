@@ -4,7 +4,7 @@ use super::ast::Word;
 use super::errors::name as names;
 use super::eval::Evaluator;
 use super::value::{Env, Value, ValueKind};
-use crate::data::{Datum, Figures, Glass, SHELVES, shelf};
+use crate::data::{Datum, Figures, Glass, SHELVES, Shelf, shelf};
 use crate::diag::Span;
 use crate::math::units::Dimension;
 use crate::math::{Formula, Spectrum, Table};
@@ -34,6 +34,15 @@ pub fn named(ev: &Evaluator, path: &[Word], env: &Env, span: Span) -> Value {
             Value::broken(span)
         }
     }
+}
+
+/// The data of a name without its shelf: how each is written, and what it is.
+pub fn called(word: &str) -> Vec<(String, ValueKind)> {
+    let found = |shelf: &'static Shelf| {
+        let datum = shelf.find(word)?;
+        Some((format!("{}.{word}", shelf.word), value(datum)))
+    };
+    SHELVES.iter().filter_map(found).collect()
 }
 
 fn value(datum: &'static Datum) -> ValueKind {

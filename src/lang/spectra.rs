@@ -3,7 +3,7 @@
 use super::arithmetic;
 use super::ast::{Operator, Quantity};
 use super::check::{Checker, Declared};
-use super::errors::{name as names, render, spectrum as errors, types};
+use super::errors::{name as names, quantities, render, spectrum as errors, types};
 use super::eval::Evaluator;
 use super::limits;
 use super::value::{RecordValue, Value, ValueKind, neat};
@@ -56,7 +56,7 @@ fn tabled(ev: &Evaluator, record: &RecordValue) -> Option<ValueKind> {
                 let (first, place) = *same.get_or_insert((dimension, value.span));
                 if first != dimension {
                     let told =
-                        types::dimension(&what, &first.name(), &dimension.name(), value.span);
+                        quantities::dimension(&what, &first.name(), &dimension.name(), value.span);
                     ev.reports.tell(told.label(place, format!("this is {}", first.name())));
                     whole = false;
                 }

@@ -208,7 +208,7 @@ impl Value {
             ValueKind::Spectrum(_, dimension) => format!("{} by wavelength", dimension.name()),
             ValueKind::Index { k: None, .. } => "an index of refraction".into(),
             ValueKind::Index { .. } => "a complex index of refraction".into(),
-            ValueKind::Matter(datum) => format!("the medium `{}`", datum.word),
+            ValueKind::Matter(datum) => format!("the figures of `matter.{}`", datum.word),
             ValueKind::Vector { components, .. } if components.len() == 2 => "a pair".into(),
             ValueKind::Vector { .. } => "a vector".into(),
             ValueKind::Text { .. } => "a text".into(),

@@ -89,7 +89,8 @@ vocabulary! {
         /// A round disc, bright all over: shadows have soft edges.
         "disc" => SunDisc {
             /// Half the angle that it fills. A larger disc is darker: its irradiance is the same.
-            half_angle: Angle = "0.00465 rad", Range::between(1e-4, 0.5);
+            half_angle: Angle = "0.00465 rad",
+                Range::between(0.01_f64.to_radians(), 30_f64.to_radians());
         }
         /// A single direction: shadows have hard edges, and the sun itself is not seen.
         "direction" => SunDirection {}

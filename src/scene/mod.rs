@@ -6,6 +6,7 @@
 
 mod at;
 mod camera;
+pub mod elsewhere;
 mod film;
 mod integrator;
 mod layer;

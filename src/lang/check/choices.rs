@@ -2,13 +2,14 @@
 
 use std::rc::Rc;
 
-use super::{Checker, position};
+use super::{Checker, meant, position};
 use crate::diag::Span;
 use crate::lang::ast::Word;
 use crate::lang::errors::{self, name as names, types};
+use crate::lang::shelves;
 use crate::lang::value::{RecordValue, Value, ValueKind};
 use crate::scene::schema::{self, Checked, Range, Type, Variants};
-use crate::scene::{At, KINDS};
+use crate::scene::{At, KINDS, elsewhere};
 
 impl Checker<'_> {
     pub(super) fn one_of(
@@ -140,7 +141,9 @@ impl Checker<'_> {
         self.ev.reports.tell_unknown_with(&word.text, word.span, || {
             let all: Vec<_> = variants.all.iter().map(|record| record.word).collect();
             let declared = kind.map_or_else(Vec::new, |kind| self.names_of(kind));
-            names::unknown_variant(place, variants.name, word, &all, &declared)
+            let meant = elsewhere::meant(variants.name, &word.text);
+            let meant = meant.map(|word| (word, self.shape(variants, Some(word))));
+            names::unknown_variant(place, variants.name, word, (&all, &declared), meant)
         });
     }
 
@@ -170,19 +173,23 @@ impl Checker<'_> {
             if variant.is_none() {
                 if !self.lenient(word.span) {
                     ev.reports.tell_unknown_with(&word.text, word.span, || {
-                        let words: Vec<_> =
-                            variants.iter().flat_map(|v| v.all).map(|record| record.word).collect();
                         let declared = self.names_of(kind);
                         let place = format!("`{place}`");
-                        names::unknown_declaration(&place, kind, word, &declared, &words)
+                        let named = variants.and_then(|v| elsewhere::meant(v.name, &word.text));
+                        let shape = variants.map(|variants| self.shape(variants, named));
+                        let made = made_of_data(variants, word);
+                        let instead = (shape.as_deref().unwrap_or("…"), made.as_slice());
+                        names::unknown_declaration(&place, kind, word, &declared, instead)
                     });
                 }
                 return None;
             }
         } else if !matches!(value.kind, ValueKind::Record(_)) {
-            let expected = format!("the name of a {kind}, or a {kind}");
-            let found = value.described();
-            ev.reports.tell(types::mismatch(&format!("`{place}`"), &expected, &found, value.span));
+            let said = meant::said(ev, value.span);
+            let made = variants.zip(said).map(|(all, text)| meant::made_of(all, value, text));
+            let (made, found) = (made.unwrap_or_default(), value.described());
+            let place = format!("`{place}`");
+            ev.reports.tell(names::no_declaration(&place, kind, &found, &made, value.span));
             return None;
         }
         let checked = self.check(value, &target, &Range::ANY, place)?;
@@ -199,6 +206,17 @@ impl Checker<'_> {
         self.hoisted.borrow_mut().push(item);
         Some(Checked::Reference(name))
     }
+}
+
+/// What of some variants may be made of the data that have a name: `conductor { ior: metal.gold }`
+/// of `gold`.
+fn made_of_data(variants: Option<&'static Variants>, word: &Word) -> Vec<String> {
+    let data = shelves::called(&word.text);
+    let made = |(text, kind): (String, ValueKind)| {
+        let value = Value { kind, span: word.span };
+        variants.map(|all| meant::made_of(all, &value, &text)).unwrap_or_default()
+    };
+    data.into_iter().flat_map(made).collect()
 }
 
 fn plain(word: Word, braces: Span) -> RecordValue {

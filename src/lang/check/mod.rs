@@ -1,6 +1,7 @@
 //! Values land on types: the one place where words, records and quantities get their meaning.
 
 mod choices;
+mod meant;
 mod paths;
 mod quantities;
 mod spectral;
@@ -11,7 +12,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use super::ast::Word;
-use super::errors::{name as names, syntax, types};
+use super::errors::{name as names, quantities as measures, syntax, types};
 use super::eval::Evaluator;
 use super::value::{FieldValue, RecordValue, Value, ValueKind};
 use super::{defaults, limits};
@@ -19,7 +20,7 @@ use crate::diag::{FileId, Span};
 use crate::math::units::Dimension;
 use crate::scene::schema::{self, Checked, Range, Type, Variants};
 use crate::scene::{At, FileName};
-pub use quantities::{coordinates, direction, in_range, number, point};
+pub use quantities::{coordinates, direction, in_range, number, number_within, point};
 use quantities::{count, pair};
 pub use spectral::complex;
 
@@ -100,9 +101,7 @@ impl<'a> Checker<'a> {
         };
         match ty {
             Type::Number(dimension) => {
-                let x = number(ev, value, *dimension, &what)?;
-                in_range(ev, value, x, range, *dimension, &what)?;
-                Some(Checked::Number(x))
+                number_within(ev, value, *dimension, range, &what).map(Checked::Number)
             }
             Type::Count => {
                 let n = count(ev, value, &what)?;
@@ -310,8 +309,7 @@ impl<'a> Checker<'a> {
                 ev.reports.tell(names::field_twice(&field.key, earlier.key.span, &owner));
                 whole = false;
             } else if !schema.fields.iter().any(|known| known.word == &*field.key.text) {
-                let known: Vec<_> = schema.fields.iter().map(|field| field.word).collect();
-                ev.reports.tell(names::unknown_field(&owner, &field.key, &known));
+                self.unknown_field(&owner, field, found, schema);
                 whole = false;
             }
         }
@@ -364,6 +362,21 @@ impl<'a> Checker<'a> {
         whole.then_some(checked)
     }
 
+    fn unknown_field(
+        &self,
+        owner: &str,
+        field: &FieldValue,
+        found: &RecordValue,
+        schema: &'static schema::Record,
+    ) {
+        let known: Vec<_> = schema.fields.iter().map(|field| field.word).collect();
+        let said = meant::said(self.ev, field.value.span());
+        let (meant, stated) = meant::instead_of(field, said.unwrap_or("…"), schema, found);
+        let place = Span { end: field.value.span().end, ..field.key.span };
+        let place = Some(place).filter(|_| said.is_some() && !stated);
+        self.ev.reports.tell(names::unknown_field(owner, &field.key, &known, (&meant, place)));
+    }
+
     fn field_value(
         &self,
         field: &FieldValue,
@@ -396,8 +409,10 @@ impl<'a> Checker<'a> {
     /// How a value of a type may look.
     fn example(&self, ty: &Type, range: &Range) -> String {
         match ty {
-            Type::Number(dimension) => types::example(*dimension, range),
-            Type::Spectrum(of) | Type::Textured { of, .. } => types::example(of.dimension(), range),
+            Type::Number(dimension) => measures::example(*dimension, range),
+            Type::Spectrum(of) | Type::Textured { of, .. } => {
+                measures::example(of.dimension(), range)
+            }
             Type::Pair => "(1, 1)".into(),
             Type::Index => "1.5".into(),
             Type::Count | Type::CountOr(_) => "1".into(),
@@ -415,12 +430,32 @@ impl<'a> Checker<'a> {
             Type::List(_) => "[ … ]".into(),
             Type::Reference { kind, target } => match (self.names_of(kind).first(), target()) {
                 (Some(name), _) => (*name).into(),
-                (None, Type::OneOf(variants)) => {
-                    variants.all.first().map_or(String::new(), |r| format!("{} {{ … }}", r.word))
-                }
+                (None, Type::OneOf(variants)) => self.shape(variants, None),
                 _ => (*kind).into(),
             },
         }
+    }
+
+    /// How one of some variants may look, the one of this word or else the simplest: with the
+    /// fields it must have, or with its first one.
+    fn shape(&self, variants: &Variants, word: Option<&str>) -> String {
+        fn needed(record: &schema::Record) -> impl Iterator<Item = &schema::Field> {
+            record.fields.iter().filter(|field| field.default.is_none() && !field.optional)
+        }
+        let hard = |field: &schema::Field| matches!(field.ty, Type::Index | Type::Reference { .. });
+        let chosen = match word {
+            Some(word) => variants.all.iter().find(|record| record.word == word),
+            None => variants.all.iter().find(|record| !needed(record).any(hard)),
+        };
+        let Some(record) = chosen.or(variants.all.first()) else { return String::new() };
+        let mut shown: Vec<_> = needed(record).collect();
+        if shown.is_empty() {
+            shown.extend(record.fields.first());
+        }
+        let fields = shown
+            .iter()
+            .map(|field| format!("{}: {}", field.word, self.example(&field.ty, &field.range)));
+        format!("{} {{ {} }}", record.word, fields.collect::<Vec<_>>().join(", "))
     }
 }
 

@@ -2,9 +2,10 @@
 
 use glam::DVec3;
 
+use super::meant;
 use crate::diag::{FileId, Span};
 use crate::lang::arithmetic;
-use crate::lang::errors::types;
+use crate::lang::errors::{quantities as errors, types};
 use crate::lang::eval::Evaluator;
 use crate::lang::value::{Value, ValueKind, shown};
 use crate::math::units::Dimension;
@@ -15,20 +16,42 @@ const COUNT_MAX: f64 = 9_007_199_254_740_992.0;
 
 /// A number of a dimension, in base units.
 pub fn number(ev: &Evaluator, value: &Value, dimension: Dimension, what: &str) -> Option<f64> {
+    measured(ev, value, (dimension, &Range::ANY), what)
+}
+
+/// A number of a dimension within bounds, in base units.
+pub fn number_within(
+    ev: &Evaluator,
+    value: &Value,
+    dimension: Dimension,
+    range: &Range,
+    what: &str,
+) -> Option<f64> {
+    let x = measured(ev, value, (dimension, range), what)?;
+    in_range(ev, value, x, range, dimension, what)?;
+    Some(x)
+}
+
+/// A number of a dimension; `range` says what was likely meant by one of another.
+fn measured(
+    ev: &Evaluator,
+    value: &Value,
+    (dimension, range): (Dimension, &Range),
+    what: &str,
+) -> Option<f64> {
     let quantity = arithmetic::quantity(ev, value);
     match quantity.kind {
         ValueKind::Number { value: x, dimension: found, .. } if found == dimension => Some(x),
         ValueKind::Number { value: x, dimension: Dimension::NONE, unit: None } => {
-            // What is long is not repeated.
-            let text = ev.written(value.span).filter(|text| text.len() <= 60);
-            let said = (x, text.filter(|text| !text.contains(['\n', '"'])));
-            ev.reports.tell(types::missing_unit(what, dimension, said, value.span));
+            let said = (x, meant::said(ev, value.span));
+            ev.reports.tell(errors::missing_unit(what, (dimension, range), said, value.span));
             None
         }
         ValueKind::Number { dimension: found, .. } => {
-            let told = types::dimension(what, &dimension.name(), &found.name(), value.span);
+            let told = errors::dimension(what, &dimension.name(), &found.name(), value.span);
             let text = ev.written(value.span);
-            ev.reports.tell(types::with_unit(told, text, found, dimension, value.span));
+            let wanted = (dimension, range);
+            ev.reports.tell(errors::with_unit(told, text, found, wanted, value.span));
             None
         }
         ValueKind::Broken => None,
@@ -52,11 +75,7 @@ pub fn count(ev: &Evaluator, value: &Value, what: &str) -> Option<f64> {
 
 /// Two plain numbers, or one for both.
 pub fn pair(ev: &Evaluator, value: &Value, range: &Range, what: &str) -> Option<[f64; 2]> {
-    let one = |value: &Value| {
-        let x = number(ev, value, Dimension::NONE, what)?;
-        in_range(ev, value, x, range, Dimension::NONE, what)?;
-        Some(x)
-    };
+    let one = |value: &Value| number_within(ev, value, Dimension::NONE, range, what);
     match &value.kind {
         ValueKind::Vector { components, .. } if components.len() == 2 => {
             Some([one(&components[0])?, one(&components[1])?])
@@ -94,7 +113,7 @@ pub fn in_range(
     let told = types::out_of_range(what, &found, range, &show, value.span);
     let degrees = radians.filter(|_| range.holds(x.to_radians())).map(|_| x);
     ev.reports.tell(match degrees {
-        Some(degrees) => types::degrees_meant(told, degrees, ev.written(value.span), value.span),
+        Some(degrees) => errors::degrees_meant(told, degrees, ev.written(value.span), value.span),
         None => told,
     });
     None

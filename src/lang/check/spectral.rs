@@ -2,7 +2,7 @@
 
 use super::quantities::{in_range, number};
 use crate::lang::arithmetic;
-use crate::lang::errors::{spectrum as errors, types};
+use crate::lang::errors::{quantities, spectrum as errors, types};
 use crate::lang::eval::Evaluator;
 use crate::lang::spectra;
 use crate::lang::value::{Value, ValueKind, shown};
@@ -57,17 +57,17 @@ pub fn spectrum(
             return None;
         }
         _ if found == Dimension::NONE => {
-            ev.reports.tell(types::spectrum_without_unit(what, dimension, colour, value.span));
+            ev.reports.tell(quantities::spectrum_without_unit(what, dimension, colour, value.span));
             return None;
         }
         _ => {
             let expected = crate::lang::errors::with_article(spectral.word());
-            let told = types::dimension(what, &expected, &found.name(), value.span);
+            let told = quantities::dimension(what, &expected, &found.name(), value.span);
             let text = ev.written(value.span);
-            let told = types::with_unit(told, text, found, dimension, value.span);
+            let told = quantities::with_unit(told, text, found, (dimension, range), value.span);
             let whole = found.times(Dimension::SOLID_ANGLE);
             let lacking = whole == dimension || Some(whole) == spectral.density();
-            ev.reports.tell(if lacking { types::lacks_solid_angle(told) } else { told });
+            ev.reports.tell(if lacking { quantities::lacks_solid_angle(told) } else { told });
             return None;
         }
     };
@@ -87,7 +87,7 @@ pub fn index(ev: &Evaluator, value: &Value, range: &Range, what: &str) -> Option
         | ValueKind::Spectrum(_, dimension) => {
             if *dimension != Dimension::NONE {
                 let (expected, found) = ("an index of refraction", quantity.described());
-                ev.reports.tell(types::dimension(what, expected, &found, value.span));
+                ev.reports.tell(quantities::dimension(what, expected, &found, value.span));
                 return None;
             }
             (spectra::spectrum(&quantity)?, None)
@@ -98,9 +98,13 @@ pub fn index(ev: &Evaluator, value: &Value, range: &Range, what: &str) -> Option
             return None;
         }
     };
+    let real = match k {
+        Some(_) => format!("the n of {what}"),
+        None => what.to_string(),
+    };
     let k = k.unwrap_or(Spectrum::Constant(0.0));
-    within(ev, &quantity, &n, &Range::above(0.0), Dimension::NONE, what)?;
-    within(ev, &quantity, &n, range, Dimension::NONE, what)?;
+    within(ev, &quantity, &n, &Range::above(0.0), Dimension::NONE, &real)?;
+    within(ev, &quantity, &n, range, Dimension::NONE, &real)?;
     let imaginary = format!("the k of {what}");
     within(ev, &quantity, &k, &Range::at_least(0.0), Dimension::NONE, &imaginary)?;
     Some(Checked::Index(n, k))
@@ -219,6 +223,7 @@ mod tests {
     fn indices_have_ranges_and_no_dimension() {
         for (text, headline) in [
             ("0", "`field` must be more than 0, and is 0"),
+            ("complex(0, 1)", "the n of `field` must be more than 0, and is 0"),
             ("complex(1, -1)", "the k of `field` must be at least 0, and is -1"),
             (
                 "complex(1, spectrum { 400 nm: 1, 500 nm: -1 })",
@@ -231,7 +236,7 @@ mod tests {
             ),
             (
                 "matter.marble",
-                "`field`: expected an index of refraction: a number, a spectrum, `complex(n, k)` or one from a shelf, such as `glass.bk7`, found the medium `marble`",
+                "`field`: expected an index of refraction: a number, a spectrum, `complex(n, k)` or one from a shelf, such as `glass.bk7`, found the figures of `matter.marble`",
             ),
         ] {
             assert_eq!(fault(text, Index::TYPE), headline);

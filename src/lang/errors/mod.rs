@@ -4,6 +4,7 @@ pub mod import;
 pub mod more;
 pub mod name;
 pub mod paths;
+pub mod quantities;
 pub mod render;
 pub mod spectrum;
 pub mod syntax;

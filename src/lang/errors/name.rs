@@ -101,10 +101,22 @@ pub fn unknown_value(found: &str, span: Span, defined: &[Arc<str>]) -> Diagnosti
     if !near.is_empty() {
         return offer(told, found, span, &near, "names are");
     }
+    let shelved: Vec<String> =
+        crate::lang::shelves::called(found).into_iter().map(|(text, _)| text).collect();
+    if !shelved.is_empty() {
+        return meant(told, &shelved, span);
+    }
     match found.contains('.') {
         true => told.help("write a number, a text, or the name of a `let`"),
         false => told.help(format!("write a number, or define it: `let {found} = …`")),
     }
+}
+
+/// "did you mean `a`?" of whole values; with a mend for each.
+fn meant(told: Diagnostic, all: &[String], span: Span) -> Diagnostic {
+    let words = all.iter().map(String::as_str);
+    let told = told.help(format!("did you mean {}?", listed(words, "or")));
+    all.iter().fold(told, |told, right| told.mend(format!("write `{right}`"), span, right))
 }
 
 /// A name with a dot whose first word is no shelf.
@@ -211,16 +223,33 @@ pub fn unwanted_name(kind: &Word, name: &str, span: Span) -> Diagnostic {
     .mend("take the name away", blank, "")
 }
 
-/// A field a record does not have.
-pub fn unknown_field(owner: &str, key: &Word, all: &[&str]) -> Diagnostic {
+/// A field a record does not have. `meant`: what may be written instead, with its value, and
+/// where that stands, if it may replace it.
+pub fn unknown_field(
+    owner: &str,
+    key: &Word,
+    all: &[&str],
+    (meant, said): (&[String], Option<Span>),
+) -> Diagnostic {
     let told = Diagnostic::error(
         Code::NAME_UNKNOWN_FIELD,
         format!("`{owner}` has no field `{}`", key.text),
     )
     .label(key.span, "no such field");
-    match all {
-        [] => told.help("it has no fields: write `{}` or nothing"),
-        _ => offer(told, &key.text, key.span, all, "its fields are"),
+    if all.is_empty() {
+        return told.help("it has no fields: write `{}` or nothing");
+    }
+    if meant.is_empty() || !nearest(&key.text, all.iter().copied()).is_empty() {
+        return offer(told, &key.text, key.span, all, "its fields are");
+    }
+    let mut words = all.to_vec();
+    words.sort_unstable();
+    let told = told
+        .why(format!("Its fields: {}.", listed(words, "and")))
+        .help(format!("write {}", listed(meant.iter().map(String::as_str), "or")));
+    match (meant, said) {
+        ([right], Some(place)) => told.mend(format!("write `{right}`"), place, right),
+        _ => told,
     }
 }
 
@@ -251,21 +280,28 @@ pub fn which_variant(place: &str, name: &str, all: &[&str], braces: Span) -> Dia
     .help(format!("write {} before the brace, as in `{example} {{ … }}`", listed(all, "or")))
 }
 
-/// A variant that does not exist.
+/// A variant that does not exist. `meant`: what it is called here, and how that may look.
 pub fn unknown_variant(
     place: &str,
     name: &str,
     word: &Word,
-    all: &[&str],
-    declared: &[&str],
+    (all, declared): (&[&str], &[&str]),
+    meant: Option<(&str, String)>,
 ) -> Diagnostic {
     let headline = format!("`{place}`: there is no {name} `{}`", word.text);
     let told = Diagnostic::error(Code::NAME_UNKNOWN_VARIANT, headline)
         .label(word.span, format!("no {name} is called so"));
     let near_declared = nearest(&word.text, declared.iter().copied());
     let near = nearest(&word.text, all.iter().copied());
-    match (near.is_empty(), near_declared.is_empty()) {
-        (true, false) => offer(told, &word.text, word.span, declared, "declared are"),
+    match (meant, near.is_empty(), near_declared.is_empty()) {
+        (Some((right, shape)), true, true) => {
+            let mut words = all.to_vec();
+            words.sort_unstable();
+            told.why(format!("The choices of {name}: {}.", listed(words, "and")))
+                .help(format!("did you mean `{right}`, as in `{shape}`?"))
+                .mend(format!("write `{right}`"), word.span, right)
+        }
+        (_, true, false) => offer(told, &word.text, word.span, declared, "declared are"),
         _ => offer(told, &word.text, word.span, all, &format!("the choices of {name} are")),
     }
 }
@@ -288,29 +324,50 @@ pub fn no_value_nor(kind: &str, found: &str, span: Span, declared: &[&str]) -> D
     offer(told, found, span, declared, &format!("the {kind}s declared are"))
 }
 
-/// A declaration that does not exist in a render.
+/// A declaration that does not exist in a render. `shape`: how one may look; `made`: what of its
+/// kind may be made of what else has the name.
 pub fn unknown_declaration(
     place: &str,
     kind: &str,
     word: &Word,
     declared: &[&str],
-    variants: &[&str],
+    (shape, made): (&str, &[String]),
 ) -> Diagnostic {
     let headline = format!("there is no {kind} called `{}`", word.text);
     let told = Diagnostic::error(Code::NAME_UNKNOWN_DECLARATION, headline)
         .label(word.span, format!("{place} names {}", with_article(kind)));
     let near = nearest(&word.text, declared.iter().copied());
+    if near.is_empty() && !made.is_empty() {
+        return meant(told, made, word.span);
+    }
     if near.is_empty() && declared.is_empty() {
-        let name = &word.text;
-        let shape =
-            variants.first().map_or(String::new(), |v| format!(": `{kind} {name}: {v} {{ … }}`"));
-        return told.why(format!("No {kind} is declared.")).help(format!("declare it{shape}"));
+        let shape = format!("`{kind} {}: {shape}`", word.text);
+        return told.why(format!("No {kind} is declared.")).help(format!("declare it: {shape}"));
     }
     let told = match near.is_empty() {
         false => told,
         true => told.why(format!("A {kind} is declared by `{kind} {}: …`.", word.text)),
     };
     offer(told, &word.text, word.span, declared, &format!("the {kind}s declared are"))
+}
+
+/// A value where the name of a declaration belongs, or one in its place. `made`: what of its kind
+/// may be made of it.
+pub fn no_declaration(
+    place: &str,
+    kind: &str,
+    found: &str,
+    made: &[String],
+    span: Span,
+) -> Diagnostic {
+    let expected = format!("the name of a {kind}, or a {kind}");
+    let told = super::types::mismatch(place, &expected, found, span);
+    if made.is_empty() {
+        return told;
+    }
+    let words = made.iter().map(String::as_str);
+    let told = told.help(format!("write {}", listed(words, "or")));
+    made.iter().fold(told, |told, right| told.mend(format!("write `{right}`"), span, right))
 }
 
 /// A part of a declaration that does not exist.

@@ -5,37 +5,7 @@ use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::ast::Word;
 use crate::lang::limits;
 use crate::lang::value::digits;
-use crate::math::units::{Dimension, UNITS};
-use crate::optics::colour::LUMENS_A_WATT;
 use crate::scene::schema::{Bound, Range};
-
-/// The likeliest units of a dimension, as written after a number.
-fn units_of(dimension: Dimension) -> Vec<String> {
-    match dimension {
-        Dimension::LENGTH => ["m", "cm", "mm"].map(String::from).to_vec(),
-        Dimension::ANGLE => vec!["deg".into(), "rad".into()],
-        // Coefficients of dispersion, in the units of catalogues.
-        Dimension::AREA => vec!["um^2".into()],
-        Dimension::SQUARED_AREA => vec!["um^4".into()],
-        _ => {
-            let known = UNITS.iter().filter(|unit| unit.dimension == dimension);
-            let known: Vec<_> = known.map(|unit| unit.word.to_string()).take(3).collect();
-            if known.is_empty() { vec![dimension.unit()] } else { known }
-        }
-    }
-}
-
-/// How a value of a dimension may look, within its bounds.
-pub fn example(dimension: Dimension, range: &Range) -> String {
-    if dimension == Dimension::NONE {
-        return if range.holds(0.5) { "0.5".into() } else { "1".into() };
-    }
-    if dimension == Dimension::ANGLE {
-        return "40 deg".into();
-    }
-    let unit = units_of(dimension).into_iter().next().unwrap_or_default();
-    if unit.is_empty() { "1".into() } else { format!("1 {unit}") }
-}
 
 /// Another kind of value than expected.
 pub fn mismatch(what: &str, expected: &str, found: &str, span: Span) -> Diagnostic {
@@ -50,119 +20,6 @@ pub fn list(what: &str, found: &str, span: Span) -> Diagnostic {
         Span { end: span.start, ..span },
         "[",
     )
-}
-
-/// A quantity of another dimension.
-pub fn dimension(what: &str, expected: &str, found: &str, span: Span) -> Diagnostic {
-    Diagnostic::error(
-        Code::TYPE_WRONG_DIMENSION,
-        format!("{what}: expected {expected}, found {found}"),
-    )
-    .label(span, format!("this is {found}"))
-}
-
-/// The mend of [`dimension`], where the unit alone is wrong: `text` is the value as written.
-pub fn with_unit(
-    told: Diagnostic,
-    text: Option<&str>,
-    found: Dimension,
-    expected: Dimension,
-    span: Span,
-) -> Diagnostic {
-    if found.is_luminous() && expected.is_light() {
-        return luminous(told, text, found, expected, span);
-    }
-    let unit = match expected {
-        Dimension::NONE => String::new(),
-        expected => units_of(expected).into_iter().next().unwrap_or_default(),
-    };
-    let right = text.and_then(|text| super::unit_tail::replaced(text, found, &unit));
-    match right {
-        None => told,
-        Some(right) if unit.is_empty() => told
-            .help(format!("write `{right}`: a plain number takes no unit"))
-            .mend(format!("write `{right}`"), span, right),
-        Some(right) => told.help(format!("write `{right}`, if the number is meant so")).mend(
-            format!("write `{right}`"),
-            span,
-            right,
-        ),
-    }
-}
-
-/// Luminous units where radiant ones belong: 683 of one are one of the other.
-fn luminous(
-    told: Diagnostic,
-    text: Option<&str>,
-    found: Dimension,
-    expected: Dimension,
-    span: Span,
-) -> Diagnostic {
-    let light = found.radiant().unit();
-    let eye = units_of(found).into_iter().next().unwrap_or_default();
-    let told = told.why(format!(
-        "No field takes luminous units yet. 1 {light} in a scene is seen as {LUMENS_A_WATT} {eye}."
-    ));
-    let right = Some(text).flatten().filter(|_| found.radiant() == expected);
-    match right.and_then(|text| super::unit_tail::divided(text, found, LUMENS_A_WATT, &light)) {
-        Some(right) => told.help(format!("write `{right}`: divided by {LUMENS_A_WATT}")).mend(
-            format!("write `{right}`"),
-            span,
-            right,
-        ),
-        None if found.radiant() == expected => {
-            told.help(format!("divide it by {LUMENS_A_WATT}, and write {light}"))
-        }
-        None => told.help(format!("write a quantity in {}", expected.unit())),
-    }
-}
-
-/// A bare number where a unit matters; `text`: the number as written.
-pub fn missing_unit(
-    what: &str,
-    dimension: Dimension,
-    (value, text): (f64, Option<&str>),
-    span: Span,
-) -> Diagnostic {
-    let value = digits(value);
-    let text = text.unwrap_or(&value);
-    let literal = |c: char| c.is_ascii_digit() || "._+-eE".contains(c);
-    let with = |unit: &str| match (text.chars().all(literal), unit.strip_prefix("1/")) {
-        (true, None) => format!("{text} {unit}"),
-        // A product or a name; of a sum only the last number would have the unit.
-        _ if text.contains(" + ") || text.contains(" - ") => format!("({text}) * {unit}"),
-        (_, None) => format!("{text} * {unit}"),
-        (_, Some(below)) => format!("{text} / {below}"),
-    };
-    let choices: Vec<_> = units_of(dimension).iter().map(|unit| with(unit)).collect();
-    let headline = format!("{what} is {}: `{value}` needs a unit", dimension.name());
-    let mut told = Diagnostic::error(Code::TYPE_MISSING_UNIT, headline)
-        .label(span, "a unit belongs after this")
-        .help(format!("write {}", listed(choices.iter().map(String::as_str), "or")));
-    for right in choices {
-        told = told.mend(format!("write `{right}`"), span, right);
-    }
-    told
-}
-
-/// A bare colour, or a bare spectrum, where a unit matters.
-pub fn spectrum_without_unit(
-    what: &str,
-    dimension: Dimension,
-    colour: bool,
-    span: Span,
-) -> Diagnostic {
-    let unit = dimension.unit();
-    let after = match unit.strip_prefix("1/") {
-        Some(below) => format!("/ {below}"),
-        None => format!("* {unit}"),
-    };
-    let (name, this) = (dimension.name(), if colour { "colour" } else { "spectrum" });
-    let headline = format!("{what} is {name}: this {this} needs a unit");
-    Diagnostic::error(Code::TYPE_MISSING_UNIT, headline)
-        .label(span, "a unit belongs after this")
-        .help(format!("write `{after}` after it"))
-        .mend(format!("write `{after}`"), span.after(), format!(" {after}"))
 }
 
 /// Beyond its bounds.
@@ -189,26 +46,6 @@ pub fn out_of_range(
     let told = Diagnostic::error(Code::TYPE_OUT_OF_RANGE, headline)
         .label(span, format!("must be {bounds}"));
     if range.why.is_empty() { told } else { told.why(range.why) }
-}
-
-/// An angle that lies within its bounds if its number counts degrees; `text`: as written.
-pub fn degrees_meant(told: Diagnostic, degrees: f64, text: Option<&str>, span: Span) -> Diagnostic {
-    let right = format!("{} deg", digits(degrees));
-    let told = told.help(format!("did you mean `{right}`?"));
-    match text.is_some_and(|text| text.starts_with(|c: char| c.is_ascii_digit())) {
-        true => told.mend(format!("write `{right}`"), span, right),
-        false => told,
-    }
-}
-
-/// A radiance where an irradiance belongs: only the solid angle is missing.
-pub fn lacks_solid_angle(told: Diagnostic) -> Diagnostic {
-    match told.help {
-        None => {
-            told.help("multiply it by the solid angle of the light: `* 6.8e-5 sr` is the sun's")
-        }
-        Some(_) => told,
-    }
 }
 
 /// A list where a vector belongs; `text`: as written.
