@@ -39,6 +39,28 @@ impl Mesh {
         (!indices.contains(&Self::NO_COORDINATE)).then_some(*indices)
     }
 
+    /// Shading normals at the corners of a triangle, by index.
+    pub fn normals_of(&self, triangle: usize) -> Option<[u32; 3]> {
+        let indices = self.normal_indices.get(triangle)?;
+        (!indices.contains(&Self::NO_NORMAL)).then_some(*indices)
+    }
+
+    /// Material slot of a triangle.
+    pub fn slot(&self, triangle: usize) -> usize {
+        self.slots.get(triangle).copied().unwrap_or(0) as usize
+    }
+
+    /// Memory held, in bytes.
+    pub fn bytes(&self) -> usize {
+        (self.positions.capacity() + self.normals.capacity()) * size_of::<DVec3>()
+            + (self.triangles.capacity()
+                + self.normal_indices.capacity()
+                + self.coordinate_indices.capacity())
+                * size_of::<[u32; 3]>()
+            + self.coordinates.capacity() * size_of::<Vec2>()
+            + self.slots.capacity() * size_of::<u32>()
+    }
+
     /// How many triangles of a slot lack texture coordinates.
     pub fn without_coordinates(&self, slot: u32) -> usize {
         let of_slot = |number: usize| self.slots.get(number).copied().unwrap_or(0) == slot;

@@ -57,6 +57,35 @@ impl Walker {
             }
         }
     }
+
+    /// The first surface the ray meets, with instances; `other` is the first that is no instance's.
+    #[inline(never)]
+    pub fn closest_in_crowd(
+        self,
+        geometry: &Geometry,
+        ray: &Ray,
+        other: Option<Hit>,
+    ) -> Option<Hit> {
+        match self {
+            Self::Portable(lanes) => {
+                geometry.crowd.closest(lanes, ray, other, geometry.coordinates)
+            }
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as above.
+            Self::Avx2(lanes) => unsafe { avx2::closest_in_crowd(lanes, geometry, ray, other) },
+        }
+    }
+
+    /// Whether the ray meets an instance.
+    #[inline(never)]
+    pub fn occluded_by_crowd(self, geometry: &Geometry, ray: &Ray) -> bool {
+        match self {
+            Self::Portable(lanes) => geometry.crowd.occluded(lanes, ray),
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as above.
+            Self::Avx2(lanes) => unsafe { avx2::occluded_by_crowd(lanes, geometry, ray) },
+        }
+    }
 }
 
 #[inline(always)]
@@ -117,4 +146,19 @@ mod avx2 {
 
     compiled!(closest -> Option<Hit>);
     compiled!(occluded -> bool);
+
+    #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+    pub fn closest_in_crowd(
+        lanes: Avx2,
+        geometry: &Geometry,
+        ray: &Ray,
+        other: Option<Hit>,
+    ) -> Option<Hit> {
+        geometry.crowd.closest(lanes, ray, other, geometry.coordinates)
+    }
+
+    #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+    pub fn occluded_by_crowd(lanes: Avx2, geometry: &Geometry, ray: &Ray) -> bool {
+        geometry.crowd.occluded(lanes, ray)
+    }
 }

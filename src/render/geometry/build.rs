@@ -47,10 +47,30 @@ impl Tree {
         Self::followed(shapes, FOLLOWED)
     }
 
+    /// The same, with triangles that have no area: those of a mesh that is yet to be mapped.
+    pub fn of_all(shapes: &Shapes) -> Self {
+        Self::over_items(shapes, shapes.primitives().collect(), FOLLOWED)
+    }
+
     /// The same, following obvhs's tree so deep.
     pub(super) fn followed(shapes: &Shapes, depth: usize) -> Self {
-        let items: Vec<Primitive> =
-            shapes.primitives().filter(|p| can_be_met(shapes, *p)).collect();
+        let items = shapes.primitives().filter(|p| can_be_met(shapes, *p)).collect();
+        Self::over_items(shapes, items, depth)
+    }
+
+    /// The nodes of a tree over boxes: its ends are spheres with their numbers.
+    pub fn over(boxes: &[Bounds]) -> Vec<Node> {
+        let items: Vec<_> = (0..boxes.len()).map(|i| Primitive::new(Kind::Sphere, i)).collect();
+        if items.is_empty() {
+            return Vec::new();
+        }
+        let boxed = |p: Primitive| grown(boxes[p.index()]);
+        let mut nodes = Collapse::of(&boxed, items, FOLLOWED).nodes;
+        enclose(&mut nodes);
+        nodes
+    }
+
+    fn over_items(shapes: &Shapes, items: Vec<Primitive>, depth: usize) -> Self {
         let mut tree = Self {
             nodes: Vec::new(),
             blocks: Vec::new(),
@@ -60,20 +80,9 @@ impl Tree {
         if items.is_empty() {
             return tree;
         }
-        let clusters = cluster(shapes, &items);
-        let weights = weights(&clusters, &items);
-        let mut collapse = Collapse {
-            shapes,
-            items,
-            clusters,
-            weights,
-            depth,
-            nodes: Vec::new(),
-            leaves: Vec::new(),
-            order: Vec::new(),
-        };
-        collapse.root();
-        let Collapse { mut nodes, leaves, order, clusters, weights, .. } = collapse;
+        let boxed = |p: Primitive| padded(shapes, p);
+        let Collapse { mut nodes, leaves, order, clusters, weights, .. } =
+            Collapse::of(&boxed, items, depth);
         drop((clusters, weights));
         tree.faces = order.par_iter().with_min_len(GRAIN).map(|p| Face::new(shapes, *p)).collect();
         let fill = |leaf: &Leaf| Block::new(leaf.first, &tree.faces[leaf.range()]);
@@ -85,22 +94,27 @@ impl Tree {
             nodes[node].set(lane, bounds);
             nodes[node].children[lane] = Child::block(number);
         }
-        // Children come after their parents.
-        for at in (0..nodes.len()).rev() {
-            for lane in 0..LANES {
-                let child = nodes[at].children[lane];
-                if child != Child::ROOT
-                    && let Below::Node(below) = child.below()
-                {
-                    let bounds = nodes[below].bounds();
-                    nodes[at].set(lane, bounds);
-                }
-            }
-        }
+        enclose(&mut nodes);
         nodes.shrink_to_fit();
         tree.nodes = nodes;
         tree.blocks.shrink_to_fit();
         tree
+    }
+}
+
+/// Gives nodes above others their boxes.
+fn enclose(nodes: &mut [Node]) {
+    // Children come after their parents.
+    for at in (0..nodes.len()).rev() {
+        for lane in 0..LANES {
+            let child = nodes[at].children[lane];
+            if child != Child::ROOT
+                && let Below::Node(below) = child.below()
+            {
+                let bounds = nodes[below].bounds();
+                nodes[at].set(lane, bounds);
+            }
+        }
     }
 }
 
@@ -116,10 +130,14 @@ fn can_be_met(shapes: &Shapes, primitive: Primitive) -> bool {
     }
 }
 
-/// The box around a shape, grown by 2⁻²³ of its greatest extent, and to the next float at least. So
-/// a ray that runs exactly along a face, whose parameters are then 0·∞ or nearly, is counted in.
+/// The box around a shape, grown.
 fn padded(shapes: &Shapes, primitive: Primitive) -> Bounds {
-    let Some(bounds) = shapes.bounds_of(primitive) else { return Bounds::EMPTY };
+    shapes.bounds_of(primitive).map_or(Bounds::EMPTY, grown)
+}
+
+/// Grown by 2⁻²³ of the greatest extent, and to the next float at least. So a ray that runs exactly
+/// along a face, whose parameters are then 0·∞ or nearly, is counted in.
+fn grown(bounds: Bounds) -> Bounds {
     let pad = Vec3::splat((bounds.max - bounds.min).max_element() * f32::EPSILON);
     Bounds {
         min: (bounds.min - pad).map(f32::next_down),
@@ -128,14 +146,14 @@ fn padded(shapes: &Shapes, primitive: Primitive) -> Bounds {
 }
 
 /// obvhs's tree over the boxes, seen as told above.
-fn cluster(shapes: &Shapes, items: &[Primitive]) -> Bvh2 {
-    let whole = items.par_iter().with_min_len(GRAIN).map(|p| padded(shapes, *p));
+fn cluster<B: Fn(Primitive) -> Bounds + Sync>(boxed: &B, items: &[Primitive]) -> Bvh2 {
+    let whole = items.par_iter().with_min_len(GRAIN).map(|p| boxed(*p));
     let whole = whole.reduce(|| Bounds::EMPTY, Bounds::union);
     let (low, high) = (whole.min.as_dvec3(), whole.max.as_dvec3());
     let size = (high - low).max_element();
     let scale = if size > 0.0 { 1.0 / size } else { 0.0 };
     let seen = |(number, primitive): (usize, &Primitive)| {
-        let bounds = padded(shapes, *primitive);
+        let bounds = boxed(*primitive);
         let min = (bounds.min.as_dvec3() - low) * scale;
         let max = (bounds.max.as_dvec3() - low) * scale;
         let [luck, _] = random::unit_pair(random::mix(number as u64));
@@ -205,8 +223,9 @@ impl Leaf {
     }
 }
 
-struct Collapse<'a> {
-    shapes: &'a Shapes,
+struct Collapse<'a, B> {
+    /// The box of each item.
+    boxed: &'a B,
     items: Vec<Primitive>,
     clusters: Bvh2,
     weights: Vec<u32>,
@@ -218,7 +237,17 @@ struct Collapse<'a> {
     order: Vec<Primitive>,
 }
 
-impl Collapse<'_> {
+impl<'a, B: Fn(Primitive) -> Bounds + Sync> Collapse<'a, B> {
+    /// Over items, of which there are some.
+    fn of(boxed: &'a B, items: Vec<Primitive>, depth: usize) -> Self {
+        let clusters = cluster(boxed, &items);
+        let weights = weights(&clusters, &items);
+        let (nodes, leaves, order) = (Vec::new(), Vec::new(), Vec::new());
+        let mut all = Self { boxed, items, clusters, weights, depth, nodes, leaves, order };
+        all.root();
+        all
+    }
+
     fn root(&mut self) {
         // The walk begins at a node, even if all is one leaf.
         self.nodes.push(Node::EMPTY);
@@ -308,7 +337,7 @@ impl Collapse<'_> {
         if all[0].kind() != Kind::Triangle {
             let (node, lane) = place;
             self.nodes[node].children[lane] = Child::round(all[0]);
-            self.nodes[node].set(lane, padded(self.shapes, all[0]));
+            self.nodes[node].set(lane, (self.boxed)(all[0]));
             return;
         }
         all.sort_unstable();

@@ -10,7 +10,9 @@ mod best;
 mod block;
 mod build;
 mod coordinates;
+mod crowd;
 mod disk;
+mod instance;
 mod lanes;
 mod node;
 mod plane;
@@ -19,6 +21,7 @@ mod rounding;
 mod sample;
 mod shapes;
 mod sphere;
+mod template;
 mod tree;
 mod triangle;
 mod walk;
@@ -28,12 +31,14 @@ mod tests;
 
 use glam::Vec3;
 
+pub use instance::{Instance, Placement};
 pub use ray::{Hit, Point, Ray, between};
 pub use sample::Form;
 pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 
 use ask::Walker;
 use best::Best;
+use crowd::Crowd;
 use lanes::Lanes;
 use ray::Probe;
 use shapes::Kind;
@@ -68,6 +73,7 @@ impl Bounds {
 pub struct Geometry {
     shapes: Shapes,
     tree: Tree,
+    crowd: Crowd,
     bounds: Bounds,
     /// Whether hits tell where on their surface they lie.
     coordinates: bool,
@@ -78,7 +84,8 @@ impl Geometry {
     pub fn build(mut shapes: Shapes) -> Self {
         shapes.coordinates.sort();
         let (tree, bounds) = (Tree::build(&shapes), shapes.bounds());
-        Self { tree, bounds, shapes, coordinates: true }
+        let crowd = Crowd::build(&std::mem::take(&mut shapes.instances));
+        Self { tree, crowd, bounds, shapes, coordinates: true }
     }
 
     /// The same, with `Hit::uv` or with zero in its place, weights of corners in a triangle's.
@@ -96,13 +103,15 @@ impl Geometry {
     /// The first surface the ray meets at t in (0, `t_max`). At equal t the least primitive.
     #[inline]
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
-        self.tree.walker.closest(self, ray)
+        let met = self.tree.walker.closest(self, ray);
+        if self.crowd.is_empty() { met } else { self.tree.walker.closest_in_crowd(self, ray, met) }
     }
 
     /// Whether the ray meets any surface at t in (0, `t_max`).
     #[inline]
     pub fn occluded(&self, ray: &Ray) -> bool {
-        self.tree.walker.occluded(self, ray)
+        let walker = self.tree.walker;
+        walker.occluded(self, ray) || !self.crowd.is_empty() && walker.occluded_by_crowd(self, ray)
     }
 
     /// The box around everything bounded; infinite planes don't count.
@@ -112,7 +121,7 @@ impl Geometry {
 
     /// Memory held, in bytes.
     pub fn bytes(&self) -> usize {
-        self.shapes.bytes() + self.tree.bytes()
+        self.shapes.bytes() + self.tree.bytes() + self.crowd.bytes()
     }
 
     /// The shapes it was built from.

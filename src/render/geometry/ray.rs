@@ -74,7 +74,7 @@ pub struct Hit {
     /// Coordinates on its surface, by which textures are laid on. Of a triangle without any, the
     /// weights of its second and third corner; of other shapes without a chart, zero.
     pub uv: DVec2,
-    /// What was met.
+    /// What was met; of an instance, the triangle by its number in the mesh.
     pub primitive: Primitive,
     /// Number of the object it belongs to.
     pub object: u32,
@@ -162,6 +162,21 @@ impl Probe {
             near_shear: [shear[0] as f32, shear[1] as f32],
             near_depth: [ray.origin[z], 1.0 / ray.direction[z]],
             size: Vec3A::from(ray.origin).abs().max_element(),
+        }
+    }
+
+    /// Of a ray that f32 only rounds: what is in f64 is by its exact numbers.
+    #[inline(always)]
+    pub fn exact(origin: DVec3, direction: DVec3) -> Self {
+        let near = Ray::new(origin.as_vec3(), direction.as_vec3());
+        let probe = Self::new(&near);
+        let [x, y, z] = probe.axes;
+        let shear = [direction[x] / direction[z], direction[y] / direction[z]];
+        Self {
+            shear,
+            sheared: [origin[x] - shear[0] * origin[z], origin[y] - shear[1] * origin[z]],
+            near_shear: [shear[0] as f32, shear[1] as f32],
+            ..probe
         }
     }
 

@@ -1,10 +1,14 @@
 //! The shapes themselves, in plain arrays: what prepare pushes and the tree is built over.
 
+use std::sync::Arc;
+
 use glam::{DAffine3, DVec3, Vec2, Vec3};
 
 use super::Bounds;
 use super::coordinates::Coordinates;
+use super::instance::{Instance, Instances};
 use super::{disk, sphere, triangle};
+use crate::math::Mesh;
 
 /// Whose a shape is: numbers that prepare gave out and hits carry back.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -123,6 +127,7 @@ pub struct Shapes {
     pub(super) disks: Vec<Disk>,
     pub(super) planes: Vec<Plane>,
     pub(super) coordinates: Coordinates,
+    pub(super) instances: Instances,
 }
 
 impl Shapes {
@@ -200,6 +205,19 @@ impl Shapes {
         Primitive::new(Kind::Plane, self.planes.len() - 1)
     }
 
+    /// Adds a mesh that instances may be of, and gives its number.
+    pub fn mesh(&mut self, mesh: Arc<Mesh>) -> u32 {
+        self.instances.meshes.push(mesh);
+        self.instances.meshes.len() as u32 - 1
+    }
+
+    /// Puts a mesh that was added before somewhere.
+    pub fn instance(&mut self, instance: Instance) {
+        assert!((instance.mesh as usize) < self.instances.meshes.len(), "a mesh comes first");
+        assert!(self.instances.all.len() < Self::MOST, "prepare counts its instances");
+        self.instances.all.push(instance);
+    }
+
     /// Adds texture coordinates of a corner, and gives their index.
     pub fn coordinate(&mut self, uv: Vec2) -> u32 {
         self.coordinates.corner(uv)
@@ -269,7 +287,8 @@ impl Shapes {
 
     /// The box around everything bounded.
     pub(super) fn bounds(&self) -> Bounds {
-        self.primitives().filter_map(|p| self.bounds_of(p)).fold(Bounds::EMPTY, Bounds::union)
+        let boxes = self.primitives().filter_map(|p| self.bounds_of(p));
+        boxes.fold(self.instances.bounds(), Bounds::union)
     }
 
     /// Memory held, in bytes.

@@ -246,7 +246,7 @@ pub(super) struct Slabs<L: Lanes> {
 
 impl<L: Lanes> Slabs<L> {
     #[inline(always)]
-    fn new(lanes: L, probe: &Probe) -> Self {
+    pub fn new(lanes: L, probe: &Probe) -> Self {
         let inverse = inverse(probe.near_direction, probe.near_origin);
         let origin = probe.near_origin * inverse;
         Self::widened(lanes, inverse, origin, origin.abs() * (2.0 * f32::EPSILON))

@@ -92,8 +92,7 @@ fn a_tree_cut_short_gives_the_same_answers() {
         (0..2000).map(|_| Ray::new(chance.cube().as_vec3(), chance.direction())).collect();
     for followed in 1..6 {
         let tree = Tree::followed(&shapes, followed);
-        let cut =
-            Geometry { tree, bounds: whole.bounds(), shapes: shapes.clone(), coordinates: true };
+        let cut = Geometry { tree, ..Geometry::build(shapes.clone()) };
         for ray in &rays {
             assert_eq!(cut.closest(ray), whole.closest(ray), "{ray:?}");
             assert_eq!(cut.occluded(ray), whole.occluded(ray), "{ray:?}");

@@ -2,6 +2,7 @@
 
 mod agreement;
 mod extremes;
+mod instances;
 mod leaving;
 mod meshes;
 mod processors;

@@ -1,0 +1,280 @@
+//! All instances, a tree over them, and the way of a ray through it: from the world into the space of
+//! a template, and back for every triangle that it may meet there.
+//!
+//! In a template's space the ray keeps its line: its parameter s is (t − `start`) · `pace`, and begins
+//! shortly before the template, so that f32 is spent there. Boxes are widened by how far corners and
+//! ray are off, blocks of triangles likewise; whatever may be met is mapped to the world and asked
+//! there.
+
+use glam::Vec3A;
+
+use super::block::Block;
+use super::instance::{Instances, Standing};
+use super::lanes::{LANES, Lanes};
+use super::node::Node;
+use super::ray::{Probe, Surface};
+use super::shapes::{Kind, Primitive};
+use super::template::Template;
+use super::tree::Tree;
+use super::walk::{Ends, Slabs, descend};
+use super::{Bounds, Hit, Ray};
+
+/// Instances, ready to be met.
+#[derive(Default)]
+pub(super) struct Crowd {
+    templates: Vec<Template>,
+    all: Vec<Standing>,
+    /// Over `all`, by number.
+    nodes: Vec<Node>,
+}
+
+impl Crowd {
+    pub fn build(instances: &Instances) -> Self {
+        let templates: Vec<_> = instances.meshes.iter().map(Template::new).collect();
+        let all = instances.all.iter();
+        let all = all.map(|one| Standing::new(one, &templates[one.mesh as usize])).collect();
+        let boxes: Vec<Bounds> = instances.all.iter().map(|one| one.bounds).collect();
+        Self { templates, all, nodes: Tree::over(&boxes) }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.all.is_empty()
+    }
+
+    /// Memory held, in bytes; the meshes are part of it.
+    pub fn bytes(&self) -> usize {
+        self.templates.iter().map(Template::bytes).sum::<usize>()
+            + self.all.iter().map(Standing::bytes).sum::<usize>()
+            + self.nodes.capacity() * size_of::<Node>()
+    }
+
+    /// The first surface the ray meets, where `other` is the first that is no instance's. Without
+    /// `coordinates`, there are weights of corners in their place.
+    #[inline(always)]
+    pub fn closest<L: Lanes>(
+        &self,
+        lanes: L,
+        ray: &Ray,
+        other: Option<Hit>,
+        coordinates: bool,
+    ) -> Option<Hit> {
+        let probe = Probe::new(ray);
+        if !probe.is_sound() {
+            return other;
+        }
+        let rank = other.as_ref().map_or(0, |hit| match hit.primitive.kind() {
+            Kind::Triangle => u64::from(hit.object) << 32,
+            _ => u64::MAX,
+        });
+        let t = other.as_ref().map_or(ray.t_max, |hit| hit.t);
+        let first = self.meet::<L, false>(lanes, &probe, First { t, rank, met: None });
+        let Some((number, triangle)) = first.met else { return other };
+        let standing = &self.all[number as usize];
+        let mesh = &*self.templates[standing.template as usize].mesh;
+        let normals = standing.normals(mesh, triangle);
+        let face = standing.face(mesh, triangle);
+        let (Surface { point, ns, uv }, t) = face.surface(lanes, &probe, normals);
+        let weights = uv.as_dvec2();
+        let laid = if coordinates {
+            standing.coordinates(mesh, triangle, weights.to_array())
+        } else {
+            None
+        };
+        let owner = standing.owner(mesh, triangle);
+        Some(Hit {
+            t,
+            position: point.position,
+            error: point.error,
+            ng: point.ng,
+            ns,
+            uv: laid.unwrap_or(weights),
+            primitive: face.primitive,
+            object: owner.object,
+            material: owner.material,
+        })
+    }
+
+    /// Whether the ray meets any instance.
+    #[inline(always)]
+    pub fn occluded<L: Lanes>(&self, lanes: L, ray: &Ray) -> bool {
+        let probe = Probe::new(ray);
+        let first = First { t: ray.t_max, rank: 0, met: None };
+        probe.is_sound() && self.meet::<L, true>(lanes, &probe, first).met.is_some()
+    }
+
+    #[inline(always)]
+    fn meet<L: Lanes, const ANY: bool>(&self, lanes: L, probe: &Probe, first: First) -> First {
+        let slabs = Slabs::new(lanes, probe);
+        let mut outside = Outside::<ANY> { crowd: self, probe, first };
+        descend::<L, ANY, _>(lanes, &self.nodes, &slabs, &mut outside);
+        outside.first
+    }
+}
+
+/// The first meeting so far.
+struct First {
+    t: f32,
+    /// Of two meetings at the same t that of the least rank is the first.
+    rank: u64,
+    /// The number of the instance, and that of the triangle.
+    met: Option<(u32, u32)>,
+}
+
+/// A ray among instances.
+struct Outside<'a, const ANY: bool> {
+    crowd: &'a Crowd,
+    probe: &'a Probe,
+    first: First,
+}
+
+impl<L: Lanes, const ANY: bool> Ends<L> for Outside<'_, ANY> {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.first.t
+    }
+
+    #[inline(always)]
+    fn block(&mut self, _: L, _: usize) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn round(&mut self, lanes: L, primitive: Primitive) -> bool {
+        let number = primitive.index();
+        let standing = &self.crowd.all[number];
+        let template = &self.crowd.templates[standing.template as usize];
+        let Some(inner) = Inner::new(standing, self.probe) else { return false };
+        let slabs = Slabs::within(lanes, &inner.probe, inner.off);
+        let mut inside = Inside::<ANY> {
+            number: number as u32,
+            standing,
+            template,
+            limit: inner.limit(self.first.t),
+            inner,
+            probe: self.probe,
+            first: &mut self.first,
+        };
+        descend::<L, ANY, _>(lanes, &template.nodes, &slabs, &mut inside);
+        ANY && self.first.met.is_some()
+    }
+}
+
+/// A ray in the space of a template.
+struct Inner {
+    probe: Probe,
+    /// World parameter where it begins, and its own parameter per unit of the world's.
+    start: f64,
+    pace: f64,
+    /// How far boxes and ray are off, along each axis; and how far corners and its origin.
+    off: Vec3A,
+    corners_off: f32,
+}
+
+/// More than from the middle of a template to its corners.
+const AROUND: f64 = 2.0;
+
+/// What the rounding of a ray to f32 moves its points by, on its way through a template, and its
+/// origin alone, in parts of the template's size; and what f64 loses on the way of the origin.
+const RAY_ERROR: f64 = 8.0 * f32::EPSILON as f64;
+const ORIGIN_ROUNDED: f64 = 2.0 * f32::EPSILON as f64;
+const ORIGIN_ERROR: f64 = 64.0 * f64::EPSILON;
+
+impl Inner {
+    /// None: it passes the template.
+    #[inline(always)]
+    fn new(standing: &Standing, probe: &Probe) -> Option<Self> {
+        let origin = standing.back * (probe.origin() - standing.origin);
+        let direction = standing.back * probe.direction();
+        let pace = direction.length();
+        let direction = direction / pace;
+        let way = -origin.dot(direction);
+        let far =
+            origin.abs().max_element().max((standing.back * standing.origin).abs().max_element());
+        let loose = ORIGIN_ERROR * far;
+        let around = AROUND + standing.off.max_element() + loose;
+        let nearest = origin + way * direction;
+        if nearest.length_squared() > around * around {
+            return None;
+        }
+        let begin = (way - around).max(0.0);
+        let origin = origin + begin * direction;
+        let corners = standing.off_f32() + Vec3A::splat((ORIGIN_ROUNDED * around + loose) as f32);
+        let off = corners + Vec3A::splat((RAY_ERROR * around) as f32);
+        let corners_off = corners.max_element();
+        Some(Self {
+            probe: Probe::exact(origin, direction),
+            start: begin / pace,
+            pace,
+            off,
+            corners_off,
+        })
+    }
+
+    /// The own parameter of a parameter in the world, or more.
+    #[inline(always)]
+    fn limit(&self, t: f32) -> f32 {
+        const UP: f64 = 1.0 + 2.0 * f32::EPSILON as f64;
+        let begin = (f64::from(t) * UP - self.start) * self.pace;
+        (begin.max(0.0) * UP) as f32 + LEAST_LIMIT
+    }
+}
+
+/// Keeps what lies where a ray in a template's space begins.
+const LEAST_LIMIT: f32 = 1.0 / (1 << 20) as f32;
+
+/// A ray among the triangles of a template.
+struct Inside<'a, const ANY: bool> {
+    number: u32,
+    standing: &'a Standing,
+    template: &'a Template,
+    inner: Inner,
+    limit: f32,
+    /// The ray in the world.
+    probe: &'a Probe,
+    first: &'a mut First,
+}
+
+impl<L: Lanes, const ANY: bool> Ends<L> for Inside<'_, ANY> {
+    #[inline(always)]
+    fn limit(&self) -> f32 {
+        self.limit
+    }
+
+    #[inline(always)]
+    fn block(&mut self, lanes: L, number: usize) -> bool {
+        let block: &Block = &self.template.blocks[number];
+        let slack = block.slack(self.inner.corners_off);
+        let candidates = block.candidates_within(lanes, &self.inner.probe, &slack);
+        let mut possible = candidates.possible;
+        if possible == 0 {
+            return false;
+        }
+        let least = lanes.store(candidates.between[0]);
+        let most = lanes.store(candidates.between[1]);
+        while possible != 0 {
+            let lane = (possible.trailing_zeros() as usize) % LANES;
+            possible &= possible - 1;
+            let inside = candidates.inside & (1 << lane) != 0;
+            if inside && (most[lane] < 0.0 || least[lane] > self.limit) {
+                continue;
+            }
+            let triangle = self.template.triangles[block.first as usize + lane];
+            let face = self.standing.face(&self.template.mesh, triangle);
+            let Some(t) = face.meet(lanes, self.probe, inside) else { continue };
+            let rank = self.standing.rank(triangle);
+            if t < self.first.t || (t == self.first.t && rank < self.first.rank) {
+                *self.first = First { t, rank, met: Some((self.number, triangle)) };
+                if ANY {
+                    return true;
+                }
+                self.limit = self.inner.limit(t);
+            }
+        }
+        false
+    }
+
+    #[inline(always)]
+    fn round(&mut self, _: L, _: Primitive) -> bool {
+        false
+    }
+}
