@@ -33,7 +33,7 @@ use glam::Vec3;
 
 pub use instance::{Instance, Placement};
 pub use ray::{Hit, Point, Ray, between};
-pub use sample::Form;
+pub use sample::{Facet, Form};
 pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 
 use ask::Walker;

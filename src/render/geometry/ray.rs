@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3, Vec2, Vec3, Vec3A};
 
-use super::rounding::{gamma_32, up};
+use super::rounding::{above, gamma_32};
 use super::shapes::Primitive;
 
 /// A ray. It meets surfaces at t in the open interval (0, `t_max`).
@@ -42,19 +42,17 @@ impl Point {
 
     /// The origin of a ray that leaves along `direction` (any length): the point itself, moved
     /// along ±`ng` to where it is certainly on the side the ray goes to [Pharr23, ch. 6.8].
+    #[inline]
     pub fn leave(&self, direction: Vec3) -> Vec3 {
-        let distance = self.ng.abs().dot(self.error);
-        let offset = if direction.dot(self.ng) < 0.0 { -distance } else { distance } * self.ng;
-        let outwards = |p: f32, by: f32| match by {
-            by if by > 0.0 => (p + by).next_up(),
-            by if by < 0.0 => (p + by).next_down(),
-            _ => p,
-        };
-        Vec3::new(
-            outwards(self.position.x, offset.x),
-            outwards(self.position.y, offset.y),
-            outwards(self.position.z, offset.z),
-        )
+        let (ng, position) = (Vec3A::from(self.ng), Vec3A::from(self.position));
+        let distance = ng.abs().dot(self.error.into());
+        let side = if direction.dot(self.ng) < 0.0 { -distance } else { distance };
+        let offset = side * ng;
+        let moved = position + offset;
+        // One step of f32 further at least, where it moves at all.
+        let step = moved.abs() * f32::EPSILON + Vec3A::splat(f32::MIN_POSITIVE);
+        let step = Vec3A::select(offset.cmpeq(Vec3A::ZERO), Vec3A::ZERO, step.copysign(offset));
+        (moved + step).into()
     }
 }
 
@@ -84,16 +82,19 @@ pub struct Hit {
 
 impl Hit {
     /// The point of the surface alone.
+    #[inline]
     pub fn point(&self) -> Point {
         Point { position: self.position, error: self.error, ng: self.ng }
     }
 
     /// The origin of a ray that leaves along `direction`; see [`Point::leave`].
+    #[inline]
     pub fn leave(&self, direction: Vec3) -> Vec3 {
         self.point().leave(direction)
     }
 
     /// The ray that leaves along `direction` (unit), without end.
+    #[inline]
     pub fn ray(&self, direction: Vec3) -> Ray {
         Ray::new(self.leave(direction), direction)
     }
@@ -103,11 +104,12 @@ impl Hit {
 ///
 /// The far end is kept off further by what rounding the direction and the length can move it:
 /// γ₃₂(4) of the way, per coordinate. Two points at the same place give a ray of no length.
+#[inline]
 pub fn between(from: &Point, to: &Point) -> Ray {
     let origin = from.leave(to.position - from.position);
     let start = origin.as_dvec3();
     let way = to.position.as_dvec3() - start;
-    let error = up(to.error.as_dvec3() + way.abs() * gamma_32(4));
+    let error = above(to.error.as_dvec3() + way.abs() * gamma_32(4));
     let end = Point { error, ..*to }.leave(-way.as_vec3());
     let span = end.as_dvec3() - start;
     let length = span.length();

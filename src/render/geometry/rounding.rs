@@ -36,9 +36,10 @@ pub(super) const fn gamma_32(n: u32) -> f64 {
 
 /// A position rounded to f32 and the bound of its error per coordinate. `magnitude`: the sum of
 /// the magnitudes it was made of, per coordinate.
+#[inline]
 pub(super) fn position(exact: DVec3, magnitude: DVec3) -> (Vec3, Vec3) {
     let error = exact.abs() * UNIT_32 + magnitude * (STEPS * UNIT_64);
-    (exact.as_vec3(), up(error))
+    (exact.as_vec3(), above(error))
 }
 
 /// The same by a processor's instructions.
@@ -49,13 +50,20 @@ pub(super) fn near<L: Lanes>(lanes: L, exact: L::Exact, magnitude: L::Exact) -> 
         lanes.exact_scale(magnitude, STEPS * UNIT_64),
     );
     let [x, y, z] = lanes.exact_round(error);
-    (lanes.exact_round(exact).into(), Vec3::new(above(x), above(y), above(z)))
+    (lanes.exact_round(exact).into(), Vec3::new(next(x), next(y), next(z)))
 }
 
 /// The next f32 above one that is not negative.
 #[inline(always)]
-fn above(x: f32) -> f32 {
+fn next(x: f32) -> f32 {
     f32::from_bits(x.min(f32::MAX).to_bits() + 1)
+}
+
+/// The same of each coordinate, none of them negative.
+#[inline]
+pub(super) fn above(x: DVec3) -> Vec3 {
+    let x = x.as_vec3();
+    Vec3::new(next(x.x), next(x.y), next(x.z))
 }
 
 /// The next f32 above each coordinate. Of zero it is more than zero, and so covers gradual

@@ -1,6 +1,6 @@
 //! Points on shapes, uniform by area, for lamps.
 
-use glam::{DVec3, Vec2};
+use glam::{DVec3, Vec2, Vec3};
 
 use super::shapes::Kind;
 use super::{Geometry, Point, Primitive};
@@ -32,6 +32,30 @@ pub enum Form {
     Plane,
 }
 
+/// A triangle: what its points have in common.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Facet {
+    /// Sum of the magnitudes that make its points, per coordinate.
+    magnitude: DVec3,
+    ng: Vec3,
+}
+
+impl Facet {
+    /// With these corners.
+    pub fn of(corners: [DVec3; 3]) -> Self {
+        let [a, b, c] = corners;
+        let ng = triangle::normal(corners).normalize_or(DVec3::Z).as_vec3();
+        Self { magnitude: a.abs() + b.abs() + c.abs(), ng }
+    }
+
+    /// A point of it that was computed in f64 from its form.
+    #[inline]
+    pub fn point(&self, exact: DVec3) -> Point {
+        let (position, error) = rounding::position(exact, self.magnitude);
+        Point { position, error, ng: self.ng }
+    }
+}
+
 impl Geometry {
     /// What a primitive is.
     pub fn form(&self, primitive: Primitive) -> Form {
@@ -57,13 +81,7 @@ impl Geometry {
     pub fn point(&self, primitive: Primitive, exact: DVec3) -> Point {
         let index = primitive.index();
         match primitive.kind() {
-            Kind::Triangle => {
-                let corners = self.shapes.exact_corners(index);
-                let [a, b, c] = corners;
-                let (position, error) = rounding::position(exact, a.abs() + b.abs() + c.abs());
-                let ng = triangle::normal(corners).normalize_or(DVec3::Z).as_vec3();
-                Point { position, error, ng }
-            }
+            Kind::Triangle => Facet::of(self.shapes.exact_corners(index)).point(exact),
             Kind::Sphere => {
                 let sphere = &self.shapes.spheres[index];
                 let normal = (exact - sphere.centre.as_dvec3()).normalize_or(DVec3::Z);

@@ -108,7 +108,7 @@ impl Path {
     fn weight_of_met(&self, world: &World, branch: &Branch, hit: &Hit) -> f32 {
         let number = world.lights.of_material(hit.material);
         self.weight(world, branch, number, |site| {
-            number.map_or(0.0, |number| world.lights.all[number].pdf_w(&world.geometry, site, hit))
+            number.map_or(0.0, |number| world.lights.all[number].pdf_w(site, hit))
         })
     }
 

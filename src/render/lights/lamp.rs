@@ -3,6 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::crowd::{Chosen, Crowd};
+use super::flat::Sampled;
 use super::patch::Patch;
 use super::{Arrival, Emitter, Geometry, Hit, Point, Site, between};
 use crate::math::Rgb;
@@ -76,7 +77,8 @@ impl Lamp {
             Some(crowd) => crowd.choose(site, u[0])?,
         };
         let patch = self.patches.get(chosen.number)?;
-        let (point, wi, pdf_w) = patch.sample(geometry, (site, self.both), [chosen.u, u[1]])?;
+        let found = patch.sample(geometry, (site, self.both), [chosen.u, u[1]])?;
+        let Sampled { point, wi, pdf_w } = found;
         let pdf_w = chosen.pmf * pdf_w;
         let irradiance = self.radiance * (1.0 / pdf_w) as f32;
         let shadow = between(&site.point, &point);
@@ -107,7 +109,7 @@ impl Lamp {
     }
 
     /// Density with which `sample` gives the direction in which a ray from `site` met the lamp.
-    pub(super) fn pdf_w(&self, geometry: &Geometry, site: &Site, hit: &Hit) -> f32 {
+    pub(super) fn pdf_w(&self, site: &Site, hit: &Hit) -> f32 {
         let found = self.numbers.binary_search_by_key(&hit.primitive, |(primitive, _)| *primitive);
         let Some((_, number)) = found.ok().and_then(|index| self.numbers.get(index)) else {
             return 0.0;
@@ -115,7 +117,7 @@ impl Lamp {
         let number = *number as usize;
         let pmf = self.crowd.as_ref().map_or(1.0, |crowd| crowd.pmf(site, number));
         let point = hit.position.as_dvec3();
-        let pdf_w = self.patches[number].pdf_w(geometry, (site, self.both), point);
+        let pdf_w = self.patches[number].pdf_w((site, self.both), point);
         (pmf * pdf_w).min(f64::from(f32::MAX)) as f32
     }
 }

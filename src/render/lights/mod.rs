@@ -8,10 +8,12 @@ mod choice;
 mod crowd;
 mod directional;
 mod disc;
+mod flat;
 mod lamp;
 mod patch;
 mod point;
 mod rectangle;
+mod round;
 mod sky;
 mod spot;
 mod surroundings;
@@ -134,9 +136,9 @@ impl Light {
     }
 
     /// Density with which `sample` gives the direction in which a ray from `site` met this light.
-    pub fn pdf_w(&self, geometry: &Geometry, site: &Site, hit: &Hit) -> f32 {
+    pub fn pdf_w(&self, site: &Site, hit: &Hit) -> f32 {
         match self {
-            Self::Lamp(lamp) => lamp.pdf_w(geometry, site, hit),
+            Self::Lamp(lamp) => lamp.pdf_w(site, hit),
             // They are no surface.
             Self::Directional(_) | Self::Point(_) | Self::Spot(_) | Self::Surroundings(_) => 0.0,
         }

@@ -1,57 +1,172 @@
-//! Uniform points in the solid angle of a rectangle [Urena13].
+//! Lamps that are rectangles: uniform points in the solid angle of one [Urena13].
 
 use std::f64::consts::TAU;
 
 use glam::DVec3;
+
+use super::flat::{Flat, LEAST, Sampled, is_wide};
+use super::{Geometry, Point, Site};
+use crate::render::geometry::{Facet, Form, Primitive};
 
 /// A rectangle as a site sees it, in a frame of its own: x and y along its edges, z away from it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SolidRectangle {
     x: [f64; 2],
     y: [f64; 2],
-    /// Of its plane; negative.
-    z: f64,
-    /// Of each edge along x: its y over its distance from the x axis through the site.
-    edges: [f64; 2],
-    /// What the third and fourth corner's angles lack of a full turn.
-    turn: f64,
+    /// Of the site over its plane; negative behind it.
+    height: f64,
     /// In sr.
     pub solid_angle: f64,
 }
 
 impl SolidRectangle {
-    /// From x to x and from y to y, at this height above (or, if negative, below) the site, which
-    /// is the origin and not in its plane.
+    /// From x to x and from y to y, for a site at the origin, so high above its plane (or, if
+    /// negative, below it), and not in it.
     pub fn new(x: [f64; 2], y: [f64; 2], height: f64) -> Self {
-        let z = -height.abs();
-        // Sines of the angles between the frame's z and the planes through the origin and an edge:
-        // z of their normals.
-        let [x0, _] = x.map(|x| x / z.hypot(x));
-        let [y0, y1] = y.map(|y| y / z.hypot(y));
-        // Angles of the spherical rectangle at two of its corners.
-        let (g2, g3) = ((x0 * y1).clamp(-1.0, 1.0).acos(), (-x0 * y0).clamp(-1.0, 1.0).acos());
-        let part = |x: f64, y: f64| (x * y / (-z * (x * x + y * y + z * z).sqrt())).atan();
-        let solid_angle = part(x[1], y[1]) - part(x[0], y[1]) - part(x[1], y[0]) + part(x[0], y[0]);
-        Self { x, y, z, edges: [y0, y1], turn: TAU - g2 - g3, solid_angle }
+        let h = height.abs();
+        // The sum of ±atan(xy / (h √(x² + y² + h²))) over the corners: the angle of the product of
+        // as many complex numbers.
+        let corner = |x: f64, y: f64| [h * (x * x + y * y + h * h).sqrt(), x * y];
+        let apart =
+            |a: [f64; 2], b: [f64; 2]| [a[0] * b[0] + a[1] * b[1], a[1] * b[0] - a[0] * b[1]];
+        let one = apart(corner(x[1], y[1]), corner(x[0], y[1]));
+        let other = apart(corner(x[1], y[0]), corner(x[0], y[0]));
+        let [real, imaginary] = apart(one, other);
+        let angle = imaginary.atan2(real);
+        let above = x[0] < 0.0 && x[1] > 0.0 && y[0] < 0.0 && y[1] > 0.0;
+        // Beside it no more than half of the half space is seen of it: what is negative is zero.
+        let solid_angle = match angle < 0.0 {
+            true if above => angle + TAU,
+            true => 0.0,
+            false => angle,
+        };
+        Self { x, y, height, solid_angle }
     }
 
     /// A point of it, x and y, uniform in solid angle.
     pub fn sample(&self, [u, v]: [f64; 2]) -> [f64; 2] {
-        let [b0, b1] = [-self.edges[0], self.edges[1]];
-        let angle = u * self.solid_angle + self.turn;
-        let f = (angle.cos() * b0 - b1) / angle.sin();
-        let c = (1.0 / f.hypot(b0)).copysign(f).clamp(-1.0, 1.0);
-        let x = -c * self.z / (1.0 - c * c).max(f64::MIN_POSITIVE).sqrt();
+        // Sines of the angles between the frame's z and the planes through the origin and an edge:
+        // z of their normals.
+        let sine = |x: f64| x / (x * x + self.height * self.height).sqrt();
+        let (x0, [y0, y1]) = (sine(self.x[0]), self.y.map(sine));
+        // Cosines and sines of the angles of the spherical rectangle at two of its corners.
+        let (c2, c3) = (x0 * y1, -x0 * y0);
+        let [s2, s3] = [c2, c3].map(|c| (1.0 - c * c).max(0.0).sqrt());
+        // What both lack of a full turn, and a part of the solid angle beyond it.
+        let (cos_turn, sin_turn) = (c2 * c3 - s2 * s3, -(s2 * c3 + c2 * s3));
+        let (sin, cos) = (u * self.solid_angle).sin_cos();
+        let (sin, cos) = (sin * cos_turn + cos * sin_turn, cos * cos_turn - sin * sin_turn);
+        let f = -(cos * y0 + y1) / sin;
+        let c = (1.0 / (f * f + y0 * y0).sqrt()).copysign(f).clamp(-1.0, 1.0);
+        let x = c * self.height.abs() / (1.0 - c * c).max(f64::MIN_POSITIVE).sqrt();
         let x = x.clamp(self.x[0], self.x[1]);
-        let d_2 = x * x + self.z * self.z;
+        let d_2 = x * x + self.height * self.height;
         let [h0, h1] = self.y.map(|y| y / (d_2 + y * y).sqrt());
         let h = h0 + v * (h1 - h0);
         let y = h * (d_2 / (1.0 - h * h).max(f64::MIN_POSITIVE)).sqrt();
         [x, y.clamp(self.y[0], self.y[1])]
     }
 
-    /// Where a point of it is, seen from the site, in its frame.
-    pub fn way(&self, [x, y]: [f64; 2]) -> DVec3 {
-        DVec3::new(x, y, self.z)
+    /// The way from the site to a point of it, by the directions of the frame.
+    pub fn way(&self, [x, y]: [f64; 2], axes: [DVec3; 2], normal: DVec3) -> DVec3 {
+        x * axes[0] + y * axes[1] - self.height * normal
+    }
+}
+
+/// Two triangles that are a rectangle: with corners a, b, c and a, c, d.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rectangle {
+    flat: Flat,
+    triangles: [Primitive; 2],
+    facets: [Facet; 2],
+    /// From a to b, c and d: not quite a rectangle, by rounding.
+    edges: [DVec3; 3],
+    /// Along its sides, unit length, square to each other.
+    axes: [DVec3; 2],
+    /// Its sides.
+    size: [f64; 2],
+}
+
+/// Edges of a rectangle are square if the cosine between them is smaller, and its corners fit to
+/// this part of its size: rounding moves them so far.
+const SQUARE: f64 = 1e-6;
+
+impl Rectangle {
+    /// None: they are no rectangle.
+    pub fn of(triangles: [Primitive; 2], geometry: &Geometry) -> Option<Self> {
+        let [first, second] = triangles;
+        let (Form::Triangle([a, b, c]), Form::Triangle([a_too, c_too, d])) =
+            (geometry.form(first), geometry.form(second))
+        else {
+            return None;
+        };
+        let edges @ [u, diagonal, v] = [b - a, c - a, d - a];
+        let (long, wide) = (u.length(), v.length());
+        let fits = (diagonal - (u + v)).length() <= SQUARE * long.min(wide);
+        let square = u.dot(v).abs() <= SQUARE * long * wide;
+        if !(a == a_too && c == c_too && fits && square) {
+            return None;
+        }
+        let cross = u.cross(v);
+        let normal = cross.try_normalize()?;
+        let x = u.normalize();
+        // Square to it even where the edges are not, by rounding.
+        let y = normal.cross(x);
+        Some(Self {
+            flat: Flat { at: a, normal, area: cross.length() },
+            triangles,
+            facets: [Facet::of([a, b, c]), Facet::of([a, c, d])],
+            edges,
+            axes: [x, y],
+            size: [long, v.dot(y)],
+        })
+    }
+
+    pub fn triangles(&self) -> [Primitive; 2] {
+        self.triangles
+    }
+
+    /// None in the middle: it is to be sampled by area. None at all: it is not seen.
+    fn solid(&self, site: &Site, both: bool) -> Option<Option<SolidRectangle>> {
+        let height = self.flat.height(site, both)?;
+        let corner = self.flat.at - site.point.position.as_dvec3();
+        let ([x, y], [long, wide]) = (self.axes.map(|axis| corner.dot(axis)), self.size);
+        let (along, across) = (x + 0.5 * long, y + 0.5 * wide);
+        let distance_2 = along * along + across * across + height * height;
+        if !is_wide(long * long + wide * wide, distance_2) {
+            return Some(None);
+        }
+        let solid = SolidRectangle::new([x, x + long], [y, y + wide], height);
+        Some((solid.solid_angle > LEAST).then_some(solid))
+    }
+
+    /// A point of it that the site sees. Its front alone is seen, if not `both`.
+    pub fn sample(&self, (site, both): (&Site, bool), u: [f64; 2]) -> Option<Sampled> {
+        let Some(solid) = self.solid(site, both)? else {
+            return self.flat.sampled(site, self.point(u));
+        };
+        let [x, y] = solid.sample(u);
+        let point = self.point([(x - solid.x[0]) / self.size[0], (y - solid.y[0]) / self.size[1]]);
+        let way = solid.way([x, y], self.axes, self.flat.normal);
+        Some(Sampled { point, wi: way.try_normalize()?, pdf_w: 1.0 / solid.solid_angle })
+    }
+
+    /// Density with which `sample` gives the direction of a point of it.
+    pub fn pdf_w(&self, (site, both): (&Site, bool), way: DVec3) -> f64 {
+        match self.solid(site, both) {
+            None => 0.0,
+            Some(None) => self.flat.density(way),
+            Some(Some(solid)) => 1.0 / solid.solid_angle,
+        }
+    }
+
+    /// The point of its triangles at these parts of its sides, 0 to 1.
+    fn point(&self, [s, t]: [f64; 2]) -> Point {
+        let (s, t) = (s.clamp(0.0, 1.0), t.clamp(0.0, 1.0));
+        let [b, c, d] = self.edges;
+        match s >= t {
+            true => self.facets[0].point(self.flat.at + (s - t) * b + t * c),
+            false => self.facets[1].point(self.flat.at + s * c + (t - s) * d),
+        }
     }
 }

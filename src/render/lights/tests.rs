@@ -86,7 +86,7 @@ fn assert_sampled(name: &str, (alone, both): (Alone, bool), site: Site, axis: Ve
         if i < 500
             && let Some(hit) = geometry.closest(&Ray::new(site.point.position, arrival.wi))
         {
-            let pdf_w = lamp.pdf_w(&geometry, &site, &hit);
+            let pdf_w = lamp.pdf_w(&site, &hit);
             let off = (pdf_w / arrival.pdf_w - 1.0).abs();
             assert!(off < 2e-2, "{name}: {pdf_w} for {}", arrival.pdf_w);
         }
@@ -104,7 +104,7 @@ fn assert_sampled(name: &str, (alone, both): (Alone, bool), site: Site, axis: Ve
         if !both && hit.ng.dot(wi) >= 0.0 {
             continue;
         }
-        let pdf_w = lamp.pdf_w(&geometry, &site, &hit);
+        let pdf_w = lamp.pdf_w(&site, &hit);
         probabilities[bin(wi)] += f64::from(pdf_w) * solid_angle / POINTS as f64;
     }
     let sum: f64 = probabilities.iter().sum();
