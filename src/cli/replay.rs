@@ -5,6 +5,7 @@ use std::path::Path;
 use super::about::VERSION;
 use super::log::shown;
 use super::options::{self, Render};
+use super::paths::DRAWING;
 use super::words::counted;
 use crate::files::{self, Failure};
 use crate::load::Stage;
@@ -32,6 +33,9 @@ pub fn asked(given: &Render, picture: &Path) -> Result<(Render, Replay), String>
         let found = words.iter().find(|(k, _)| k.strip_prefix("scn:") == Some(key));
         found.map(|(_, value)| value.as_str())
     };
+    if word(DRAWING).is_some() {
+        return Err(told("is a drawing of paths of light, and no render"));
+    }
     let needed = |key: &str| {
         let why = "does not tell how it was made: it has no";
         word(key).ok_or_else(|| told(&format!("{why} `scn:{key}`")))

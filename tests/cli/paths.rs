@@ -86,7 +86,26 @@ fn drawings_are_written_and_paths_listed() {
     assert!(run.stdout.lines().all(|line| line.chars().count() <= 80), "{}", run.stdout);
     let (drawn, words) = files::png::read(&bench.path("out/mirror/mirror.paths.png")).unwrap();
     assert_eq!([drawn.width, drawn.height], [24, 18]);
-    assert_eq!(words, [("scn:paths".to_string(), "mirror, pixel 12,14".to_string())]);
+    let word = |key: &str| words.iter().find(|(name, _)| name == key).map(|(_, word)| &**word);
+    for (key, value) in [
+        ("scn:paths", "mirror, pixel 12,14"),
+        ("scn:scene", "mirror.scn"),
+        ("scn:render", "mirror"),
+        ("scn:seed", "0"),
+        ("scn:samples", "1024"),
+    ] {
+        assert_eq!(word(key), Some(value), "{key}");
+    }
+    let of_render = {
+        bench.run("render mirror.scn -q --samples 2 -o render.png").well();
+        files::png::read_metadata(&bench.path("render.png")).unwrap()
+    };
+    let hash = of_render.iter().find(|(name, _)| name == "scn:hash").unwrap();
+    assert!(words.contains(hash), "{words:?}");
+    bench
+        .run("render mirror.scn --replay out/mirror/mirror.paths.png -o again.png")
+        .ends(2)
+        .says("`out/mirror/mirror.paths.png` is a drawing of paths of light, and no render");
     // Pink is drawn somewhere.
     assert!(drawn.pixels.iter().any(|pixel| pixel.r > 0.5 && pixel.r > 2.0 * pixel.g));
     let svg = std::fs::read_to_string(bench.path("out/mirror/mirror.paths.svg")).unwrap();

@@ -11,13 +11,14 @@ use std::time::Instant;
 
 pub use options::Paths;
 
+use super::about::VERSION;
 use super::clock::Clock;
 use super::log::shown;
 use super::near::listed;
 use super::options::Form;
 use super::{End, scene_file, terminal, whose};
 use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
-use crate::files::{self, Failure};
+use crate::files::{self, Failure, Metadata};
 use crate::load::{Loader, Stage};
 use crate::math::{Lines, NoProgress, Picture};
 use crate::prepare::{self, Prepared, Settings};
@@ -26,6 +27,8 @@ use gathered::Gathered;
 
 /// Samples of each pixel of the picture below the lines, if none is given.
 const ROUGH: u64 = 8;
+/// Of the words in a PNG the one that no other picture has, without `scn:`.
+pub const DRAWING: &str = "paths";
 
 pub fn run(options: &Paths) -> End {
     paths(options).err().unwrap_or(End::Well)
@@ -79,7 +82,8 @@ fn paths(options: &Paths) -> Result<(), End> {
     let below = drawing::background(&picture, exposure);
     let most = options.lines as usize;
     let lines = drawing::lines(&prepared.world, &all, options.pixel, options.by, most);
-    files.write(&format!("{name}, pixel {x},{y}"), below, &lines).map_err(|text| failed(&text))?;
+    let words = words(options, &name, &stage);
+    files.write(words, below, &lines).map_err(|text| failed(&text))?;
 
     let about = report::About { scene: &scene, render: &name, options, prepared: &prepared };
     let files: Vec<String> = files.all().map(|path| shown(path)).collect();
@@ -88,6 +92,28 @@ fn paths(options: &Paths) -> Result<(), End> {
         Form::Json => terminal::say(&format!("{:#}\n", report::json(&about, &all, &files))),
     }
     Ok(())
+}
+
+/// What a drawing shows, and what it was made of.
+fn words(options: &Paths, render: &str, stage: &Stage) -> Metadata {
+    let scene = options.file.file_name().unwrap_or_default().to_string_lossy();
+    let [x, y] = options.pixel;
+    let mut all: Metadata = Vec::new();
+    let mut put = |key: &str, value: String| all.push((format!("scn:{key}"), value));
+    put(DRAWING, format!("{render}, pixel {x},{y}"));
+    put("scene", scene.into_owned());
+    put("hash", stage.hash.to_string());
+    put("render", render.to_string());
+    put("seed", options.seed.to_string());
+    put("samples", options.samples.to_string());
+    put("version", VERSION.to_string());
+    if options.scale != 1.0 {
+        put("scale", options.scale.to_string());
+    }
+    if !options.set.is_empty() {
+        put("set", options.set.join("\n"));
+    }
+    all
 }
 
 fn settings(options: &Paths) -> Settings {
@@ -206,13 +232,13 @@ impl Files {
         self.png.iter().chain(&self.svg)
     }
 
-    fn write(&self, title: &str, mut picture: Picture, lines: &[Lines]) -> Result<(), String> {
+    fn write(&self, words: Metadata, mut picture: Picture, lines: &[Lines]) -> Result<(), String> {
         if let Some(path) = &self.svg {
+            let title = words.first().map_or("", |(_, title)| title);
             files::svg::write(path, title, &picture, lines).map_err(|why| told(path, &why))?;
         }
         if let Some(path) = &self.png {
             lines.iter().for_each(|lines| lines.draw(&mut picture));
-            let words = vec![("scn:paths".to_string(), title.to_string())];
             files::png::write(path, &picture, 1.0, &words).map_err(|why| told(path, &why))?;
         }
         Ok(())
