@@ -71,6 +71,23 @@ fn biases_are_found_where_they_are_and_nowhere_else() {
 }
 
 #[test]
+fn the_page_lists_every_bias() {
+    // Each word stands in one arm of `Kind::word`, or is told of what samples could not hold.
+    let arms = include_str!("../src/plan/bias.rs").split("pub fn word(self)").nth(1).unwrap();
+    let arms = arms.split("\n    }\n").next().unwrap();
+    let mut words: Vec<&str> = arms.split('"').skip(1).step_by(2).collect();
+    words.extend(["clipped", "not_finite"]);
+    let page = include_str!("../docs/plan.md").split("\n## Biases\n").nth(1).unwrap();
+    let rows = page.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+    let listed: Vec<&str> = rows.take_while(|word| *word != "render").collect();
+    assert!(words.contains(&Kind::Dispersion.word()));
+    words.sort_unstable();
+    let mut sorted = listed.clone();
+    sorted.sort_unstable();
+    assert_eq!(sorted, words, "docs/plan.md lists other biases than there are");
+}
+
+#[test]
 fn the_depth_is_bounded_by_the_largest_albedo_in_use() {
     let bound = |hand: Hand| biases(&hand.stage())[0].bound;
     assert_eq!(bound(with_ball(floor(), "grey")), Some(0.5));
