@@ -4,7 +4,6 @@
 #[path = "../by_hand/mod.rs"]
 mod by_hand;
 mod enclosures;
-mod glass;
 mod settings;
 
 use glam::{DQuat, DVec3};
