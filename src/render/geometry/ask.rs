@@ -90,10 +90,7 @@ impl Walker {
 
 #[inline(always)]
 fn closest<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> Option<Hit> {
-    let probe = Probe::new(ray);
-    if !probe.is_sound() {
-        return None;
-    }
+    let probe = Probe::new(ray, geometry.tree.moderate)?;
     let mut best = Best::before(ray.t_max);
     geometry.meet_planes(&probe, &mut best);
     walk::<_, false>(lanes, &geometry.tree, &geometry.shapes, &probe, &mut best);
@@ -102,16 +99,11 @@ fn closest<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> Option<Hit> {
 
 #[inline(always)]
 fn occluded<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> bool {
-    let probe = Probe::new(ray);
-    if !probe.is_sound() {
-        return false;
-    }
+    let Some(probe) = Probe::new(ray, geometry.tree.moderate) else { return false };
     let mut best = Best::before(ray.t_max);
     geometry.meet_planes(&probe, &mut best);
-    if best.primitive.is_none() {
-        walk::<_, true>(lanes, &geometry.tree, &geometry.shapes, &probe, &mut best);
-    }
     best.primitive.is_some()
+        || walk::<_, true>(lanes, &geometry.tree, &geometry.shapes, &probe, &mut best)
 }
 
 /// The same, compiled for processors with AVX2. A ray's numbers pass one by one, in registers: one

@@ -1,12 +1,12 @@
 //! The best meeting so far of a ray on its way through the tree.
 
-use super::lanes::Lanes;
+use super::block::Block;
+use super::lanes::{LANES, Lanes};
 use super::ray::Probe;
 use super::shapes::Primitive;
-use super::triangle::Face;
 
-/// Stands for the face of other shapes.
-const NO_FACE: u32 = u32::MAX;
+/// Stands for the place of other shapes.
+const NO_PLACE: usize = usize::MAX;
 
 /// The best meeting so far. Its order makes answers the same whatever the order of the tree.
 pub(super) struct Best {
@@ -14,63 +14,69 @@ pub(super) struct Best {
     pub t: f32,
     /// A lower bound of the parameter; `t` itself if that is exact.
     least: f32,
-    /// The number of the face that is met, if one is.
-    face: u32,
+    /// Of a triangle, its place in the tree.
+    place: usize,
     pub primitive: Option<Primitive>,
+}
+
+/// The place of a triangle: its block and lane.
+#[inline(always)]
+pub(super) fn place(block: usize, lane: usize) -> usize {
+    block * LANES + lane
 }
 
 impl Best {
     /// Nothing so far, and nothing from `t_max` on.
     pub fn before(t_max: f32) -> Self {
-        Self { t: t_max, least: t_max, face: NO_FACE, primitive: None }
+        Self { t: t_max, least: t_max, place: NO_PLACE, primitive: None }
     }
 
-    /// A meeting at exactly `t`, with a shape that is no face.
+    /// A meeting at exactly `t`, with a shape that is no triangle.
     pub fn offer(&mut self, t: f32, primitive: Primitive) {
-        self.offer_face(t, primitive, NO_FACE);
+        self.offer_at(t, primitive, NO_PLACE);
     }
 
-    /// A meeting at exactly `t`, with a face.
+    /// A meeting at exactly `t`.
     #[inline(always)]
-    pub fn offer_face(&mut self, t: f32, primitive: Primitive, face: u32) {
+    pub fn offer_at(&mut self, t: f32, primitive: Primitive, place: usize) {
         if t < self.t || (t == self.t && self.primitive.is_some_and(|best| primitive < best)) {
-            *self = Self { t, least: t, face, primitive: Some(primitive) };
+            *self = Self { t, least: t, place, primitive: Some(primitive) };
         }
     }
 
-    /// The number of the face that is met, if one is.
+    /// The block and lane of the triangle that is met, if one is.
     #[inline(always)]
-    pub fn face(&self) -> Option<usize> {
-        (self.face != NO_FACE).then_some(self.face as usize)
+    pub fn place(&self) -> Option<(usize, usize)> {
+        (self.place != NO_PLACE).then_some((self.place / LANES, self.place % LANES))
     }
 
-    /// A face met at a t > 0 within bounds. Only if they overlap with those of the best, f64 tells
-    /// which comes first.
+    /// A triangle met at a t > 0 within bounds. Only if they overlap with those of the best, f64
+    /// tells which comes first.
     #[inline(always)]
     pub fn offer_within<L: Lanes>(
         &mut self,
         lanes: L,
         [least, most]: [f32; 2],
-        (faces, number): (&[Face], usize),
+        (blocks, place): (&[Block], usize),
         probe: &Probe,
     ) {
-        let behind = least > self.t;
+        let (block, lane) = (&blocks[place / LANES], place % LANES);
         if most < self.least {
-            let primitive = Some(faces[number].primitive);
-            *self = Self { t: most, least, face: number as u32, primitive };
-        } else if !behind {
-            self.settle(lanes, faces, probe);
-            if let Some(t) = faces[number].meet(lanes, probe, true) {
-                self.offer_face(t, faces[number].primitive, number as u32);
+            *self = Self { t: most, least, place, primitive: Some(block.primitive(lane)) };
+        } else if least <= self.t {
+            self.settle(lanes, blocks, probe);
+            if let Some(t) = block.face(lane).meet(lanes, probe, true) {
+                self.offer_at(t, block.primitive(lane), place);
             }
         }
     }
 
     /// Makes the parameter exact.
     #[inline(always)]
-    pub fn settle<L: Lanes>(&mut self, lanes: L, faces: &[Face], probe: &Probe) {
+    pub fn settle<L: Lanes>(&mut self, lanes: L, blocks: &[Block], probe: &Probe) {
         if self.least < self.t {
-            self.t = faces[self.face as usize].meet(lanes, probe, true).unwrap_or(self.t);
+            let face = blocks[self.place / LANES].face(self.place % LANES);
+            self.t = face.meet(lanes, probe, true).unwrap_or(self.t);
             self.least = self.t;
         }
     }

@@ -2,77 +2,32 @@
 //! throws out those a ray certainly misses, keeps those it certainly meets, and leaves the few that
 //! remain to f64.
 //!
-//! Corners are kept as whole numbers of a quantum from the block's lowest corner, in 16
-//! bits: a block is three cache lines. The exact corners are in their faces.
-//!
-//! The test is Woop's [Woop13] in units of the quantum. With E = 65535 the size of the block's
-//! cube, the ray in these units is x(z) = c + s·z, |s| ≤ 1, along the axis z of its depth, and c is
-//! computed in f64 and rounded once. A ray that meets a triangle passes through the cube, so
-//! -E ≤ c ≤ 2E; all others are thrown out first. What remains has sheared corners x − c − s·z of at
-//! most 3E. They err by half a quantum in x and s·z each, by u·2E for c, and by u·6E in arithmetic:
-//! by less than δ = 1.25 together. A part is a difference of two products of them, which so errs by
-//! less than 4·3E·(δ + δ²) + 4u·(3E)² < 2²⁰; [`PART_ERROR`] is that.
-
-use glam::Vec3;
+//! The test is Woop's [Woop13], with a bound on its own error, u = 2⁻²⁴. Let Z be the greatest depth
+//! of a triangle's corners from the origin, and S the greatest of its sheared coordinates,
+//! (x − o) − s·z with |s| ≤ 1. Those err by less than δ = u·(7Z + 3S), the rounding of s included. A
+//! part is a difference of two products of them, and errs by 4S·δ + 2δ² + 4u·S² at most. With
+//! q = 32u·Z and S + q in place of S, that is less than (S + q)·(q + 20u·(S + q)), and so it stays
+//! when that is rounded. [`LEAST`] is for products below the normal numbers. Where corners and the
+//! ray are off by something more, δ grows by twice that, and q by eight times.
 
 use super::lanes::{LANES, Lanes};
 use super::ray::Probe;
+use super::shapes::{Primitive, Shapes};
 use super::triangle::Face;
 
-/// The greatest whole number: the side of the cube around a block, in quanta.
-const SIDE: f32 = 65_535.0;
+/// u, half the gap between one and the next float.
+const UNIT: f32 = f32::EPSILON / 2.0;
 
-/// Bound of a part's error, in square quanta.
-const PART_ERROR: f32 = 1_048_576.0;
+/// The least error of a part, in square world units.
+const LEAST: f32 = f32::MIN_POSITIVE;
 
-/// A bit for every lane.
-const ALL: u32 = (1 << LANES) - 1;
-
-/// How far c may be from the middle of the cube, with some quanta to spare.
-const REACH: f32 = 1.5 * SIDE + 8.0;
-
-/// Where the origin is so many quanta (2⁴⁵) from that of the world, or from the block, f64 is off by
-/// a tenth of one: all is left to triangle.rs.
-const FAR: f32 = 35_184_372_088_832.0;
-
-/// The least quantum, 2⁻¹⁰⁰ world units, so that nothing underflows. The greatest, of corners as far
-/// apart as f32 has them, is 2¹¹³.
-const LEAST: f64 = 1.0 / (1_u128 << 100) as f64;
-
-/// How far the test is off in addition.
-#[derive(Clone, Copy)]
-pub(super) struct Slack {
-    /// Corners and the ray, in quanta.
-    quanta: f32,
-    /// Bound of a part's error, in square quanta.
-    part: f32,
-}
-
-impl Slack {
-    const NONE: Self = Self { quanta: 0.0, part: PART_ERROR };
-}
-
-/// δ, as told above.
-const DELTA: f32 = 1.25;
-
-/// Rounding in the two products of a part, in square quanta; with room for [`LOOSEST`].
-const ARITHMETIC: f32 = 16_384.0;
-
-/// With more slack than so many quanta the test is left out.
-const LOOSEST: f32 = 4096.0;
-
-/// Up to eight triangles.
+/// Up to eight triangles: five cache lines.
 #[repr(align(64))]
 pub(super) struct Block {
-    /// The lowest corner of the box around all, world units.
-    low: [f32; 3],
-    /// The bits of how many quanta are in a world unit. That is a power of two: its lowest bits,
-    /// free therefore, tell which lanes hold a triangle.
-    scale: u32,
-    /// Axis, then corner; a lane a triangle. In quanta, from the lowest corner.
-    corners: [[[u16; LANES]; 3]; 3],
-    /// The number of the first lane's face; the others follow.
-    pub first: u32,
+    /// Axis, then corner; a lane a triangle. World units, as they were pushed; no numbers in lanes
+    /// without a triangle, which are so never met.
+    corners: [[[f32; LANES]; 3]; 3],
+    primitives: [Primitive; LANES],
 }
 
 /// Lanes that a ray may meet.
@@ -86,114 +41,108 @@ pub(super) struct Candidates<L: Lanes> {
 }
 
 impl Block {
-    /// One to eight triangles: faces from a number on.
-    pub fn new(first: usize, faces: &[Face]) -> Self {
-        let all = || faces.iter().flat_map(|face| face.corners.map(Vec3::from_array));
-        let low = all().fold(Vec3::INFINITY, Vec3::min);
-        let high = all().fold(Vec3::NEG_INFINITY, Vec3::max);
-        let extent = (high.as_dvec3() - low.as_dvec3()).max_element();
-        let quantum = quantum(extent);
-        let mut block = Self {
-            low: low.to_array(),
-            scale: ((1.0 / quantum) as f32).to_bits() | ((1 << faces.len()) - 1),
-            corners: [[[0; LANES]; 3]; 3],
-            first: first as u32,
-        };
-        for (lane, face) in faces.iter().enumerate() {
-            for (k, corner) in face.corners.into_iter().enumerate() {
-                let from_low = Vec3::from_array(corner).as_dvec3() - low.as_dvec3();
-                let whole = (from_low / quantum).round().to_array();
-                for (all, coordinate) in block.corners.iter_mut().zip(whole) {
-                    all[k][lane] = coordinate as u16;
+    /// One to eight triangles.
+    pub fn new(shapes: &Shapes, triangles: &[Primitive]) -> Self {
+        let mut block =
+            Self { corners: [[[f32::NAN; LANES]; 3]; 3], primitives: [triangles[0]; LANES] };
+        for (lane, primitive) in triangles.iter().enumerate() {
+            block.primitives[lane] = *primitive;
+            for (k, corner) in shapes.corners(primitive.index()).into_iter().enumerate() {
+                for (all, coordinate) in block.corners.iter_mut().zip(corner.to_array()) {
+                    all[k][lane] = coordinate;
                 }
             }
         }
         block
     }
 
+    /// The triangle of a lane.
+    #[inline(always)]
+    pub fn primitive(&self, lane: usize) -> Primitive {
+        self.primitives[lane]
+    }
+
+    /// The same, for f64 to decide about.
+    #[inline(always)]
+    pub fn face(&self, lane: usize) -> Face {
+        let [x, y, z] = &self.corners;
+        let corner = |k: usize| [x[k][lane], y[k][lane], z[k][lane]];
+        Face { corners: [corner(0), corner(1), corner(2)] }
+    }
+
     /// Which triangles the ray may meet.
     #[inline(always)]
     pub fn candidates<L: Lanes>(&self, lanes: L, probe: &Probe) -> Candidates<L> {
-        self.candidates_within(lanes, probe, &Slack::NONE)
+        self.candidates_within(lanes, probe, None)
     }
 
-    /// How much looser the test has to be where corners and the ray's origin are off by so much.
-    #[inline(always)]
-    pub fn slack(&self, off: f32) -> Slack {
-        let quanta = off * f32::from_bits(self.scale & !ALL);
-        let delta = DELTA + quanta;
-        Slack { quanta, part: 4.0 * (3.0 * SIDE + 2.0 * delta) * delta + ARITHMETIC }
-    }
-
-    /// The same with more slack.
+    /// The same where corners and the ray's origin are off by so much together, along each axis.
     #[inline(always)]
     pub fn candidates_within<L: Lanes>(
         &self,
         lanes: L,
         probe: &Probe,
-        slack: &Slack,
+        off: Option<f32>,
     ) -> Candidates<L> {
         let [x, y, z] = probe.axes;
-        let per_unit = f32::from_bits(self.scale & !ALL);
-        let (per, low) = (f64::from(per_unit), f64::from(self.low[z]));
-        let cx = (probe.sheared[0] - (f64::from(self.low[x]) - probe.shear[0] * low)) * per;
-        let cy = (probe.sheared[1] - (f64::from(self.low[y]) - probe.shear[1] * low)) * per;
-        let (cx, cy) = (cx as f32, cy as f32);
-        let depth = (probe.near_depth[0] - self.low[z]) * per_unit;
-        let nothing = [lanes.splat(0.0); 2];
-        if depth.abs() + probe.size * per_unit >= FAR || slack.quanta > LOOSEST {
-            return Candidates { possible: self.scale & ALL, inside: 0, between: nothing };
-        }
-        let reach = REACH + slack.quanta;
-        if (cx - SIDE / 2.0).abs() > reach || (cy - SIDE / 2.0).abs() > reach {
-            return Candidates { possible: 0, inside: 0, between: nothing };
-        }
-        let (sx, sy) = (lanes.splat(probe.near_shear[0]), lanes.splat(probe.near_shear[1]));
-        let (cx, cy) = (lanes.splat(cx), lanes.splat(cy));
         let (xs, ys, zs) = (&self.corners[x], &self.corners[y], &self.corners[z]);
-        let (az, bz, cz) = (lanes.whole(&zs[0]), lanes.whole(&zs[1]), lanes.whole(&zs[2]));
-        let ax = lanes.sub_mul(sx, az, lanes.sub(lanes.whole(&xs[0]), cx));
-        let bx = lanes.sub_mul(sx, bz, lanes.sub(lanes.whole(&xs[1]), cx));
-        let cx = lanes.sub_mul(sx, cz, lanes.sub(lanes.whole(&xs[2]), cx));
-        let ay = lanes.sub_mul(sy, az, lanes.sub(lanes.whole(&ys[0]), cy));
-        let by = lanes.sub_mul(sy, bz, lanes.sub(lanes.whole(&ys[1]), cy));
-        let cy = lanes.sub_mul(sy, cz, lanes.sub(lanes.whole(&ys[2]), cy));
+        let nothing = [lanes.splat(0.0); 2];
+        if probe.extreme {
+            let zs = lanes.load(&zs[0]);
+            return Candidates { possible: lanes.at_most(zs, zs), inside: 0, between: nothing };
+        }
+        let [ox, oy, oz] = probe.turned;
+        let (ox, oy, oz) = (lanes.splat(ox), lanes.splat(oy), lanes.splat(oz));
+        let (sx, sy) = (lanes.splat(probe.shear[0]), lanes.splat(probe.shear[1]));
+        let az = lanes.sub(lanes.load(&zs[0]), oz);
+        let bz = lanes.sub(lanes.load(&zs[1]), oz);
+        let cz = lanes.sub(lanes.load(&zs[2]), oz);
+        let ax = lanes.sub_mul(sx, az, lanes.sub(lanes.load(&xs[0]), ox));
+        let bx = lanes.sub_mul(sx, bz, lanes.sub(lanes.load(&xs[1]), ox));
+        let cx = lanes.sub_mul(sx, cz, lanes.sub(lanes.load(&xs[2]), ox));
+        let ay = lanes.sub_mul(sy, az, lanes.sub(lanes.load(&ys[0]), oy));
+        let by = lanes.sub_mul(sy, bz, lanes.sub(lanes.load(&ys[1]), oy));
+        let cy = lanes.sub_mul(sy, cz, lanes.sub(lanes.load(&ys[2]), oy));
         let u = lanes.mul_sub(cx, by, lanes.mul(cy, bx));
         let v = lanes.mul_sub(ax, cy, lanes.mul(ay, cx));
         let w = lanes.mul_sub(bx, ay, lanes.mul(by, ax));
+        let depth = lanes.max(lanes.max(lanes.abs(az), lanes.abs(bz)), lanes.abs(cz));
+        let left = lanes.max(lanes.max(lanes.abs(ax), lanes.abs(bx)), lanes.abs(cx));
+        let up = lanes.max(lanes.max(lanes.abs(ay), lanes.abs(by)), lanes.abs(cy));
+        let q = lanes.mul(depth, lanes.splat(32.0 * UNIT));
+        let q = match off {
+            Some(off) => lanes.add(q, lanes.splat(8.0 * off)),
+            None => q,
+        };
+        let side = lanes.add(lanes.max(left, up), q);
+        let error = lanes.mul_add(side, lanes.splat(20.0 * UNIT), q);
+        let error = lanes.mul_add(side, error, lanes.splat(LEAST));
         let least = lanes.min(lanes.min(u, v), w);
         let most = lanes.max(lanes.max(u, v), w);
-        let (zero, error) = (lanes.splat(0.0), lanes.splat(slack.part));
+        let zero = lanes.splat(0.0);
         // Missed if one part is certainly below zero, and another certainly above.
         let possible = lanes.at_most(lanes.min(lanes.sub(zero, least), most), error);
-        let possible = possible & self.scale & ALL;
         if possible == 0 {
             return Candidates { possible, inside: 0, between: nothing };
         }
-        let inside = !lanes.at_most(lanes.max(least, lanes.sub(zero, most)), error) & possible;
-        if inside == 0 {
-            return Candidates { possible, inside, between: nothing };
-        }
-        // The mean of the corners' depths, by weights that are each off by the error of a part.
+        let clear = lanes.max(least, lanes.sub(zero, most));
+        let inside = !lanes.at_most(clear, lanes.add(error, error)) & possible;
+        // The mean of the corners' depths by their weights. As each is at least twice its error, the
+        // mean is off by less than three errors over half their sum, of the way between the least
+        // depth and the greatest; and by rounding.
         let sum = lanes.add(lanes.add(u, v), w);
-        let mean = lanes.add(lanes.add(lanes.mul(u, az), lanes.mul(v, bz)), lanes.mul(w, cz));
+        let mean = lanes.mul_add(w, cz, lanes.mul_add(v, bz, lanes.mul(u, az)));
         let (low, high) = (lanes.min(lanes.min(az, bz), cz), lanes.max(lanes.max(az, bz), cz));
-        let off = lanes.splat(3.0 * slack.part);
-        let far = lanes.div(lanes.mul(off, lanes.sub(high, low)), lanes.sub(lanes.abs(sum), off));
-        let depths = 1.0 + slack.quanta + (depth.abs() + SIDE) * (4.0 * f32::EPSILON);
-        let far = lanes.add(far, lanes.splat(depths));
-        let scale = probe.near_depth[1] / per_unit;
-        let t = lanes.mul(lanes.sub(lanes.div(mean, sum), lanes.splat(depth)), lanes.splat(scale));
-        let far = lanes.mul(far, lanes.splat(scale.abs()));
-        let between = [lanes.sub(t, far), lanes.add(t, far)];
+        let scale = lanes.div(lanes.splat(probe.per_depth), sum);
+        let t = lanes.mul(mean, scale);
+        let rounding = lanes.mul(depth, lanes.splat(16.0 * UNIT * probe.per_depth.abs()));
+        let rounding = match off {
+            Some(off) => lanes.add(rounding, lanes.splat(2.0 * off * probe.per_depth.abs())),
+            None => rounding,
+        };
+        let far = lanes.mul(lanes.mul(lanes.abs(scale), lanes.splat(6.0)), lanes.sub(high, low));
+        let slack = lanes.mul_add(far, error, rounding);
+        let between = [lanes.sub(t, slack), lanes.add(t, slack)];
         Candidates { possible, inside, between }
     }
-}
-
-/// The least power of two by which a box of this size is at most [`SIDE`].
-fn quantum(extent: f64) -> f64 {
-    let least = extent / f64::from(SIDE);
-    let below = f64::from_bits(least.to_bits() >> 52 << 52);
-    let quantum = if below < least { 2.0 * below } else { below };
-    quantum.max(LEAST)
 }

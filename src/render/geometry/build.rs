@@ -20,9 +20,10 @@ use super::ask::Walker;
 use super::block::Block;
 use super::lanes::LANES;
 use super::node::{Below, Child, Node};
+use super::ray::MODERATE;
 use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
-use super::triangle::{self, Face};
+use super::triangle;
 use super::walk::DEEPEST;
 use crate::math::random;
 
@@ -74,7 +75,7 @@ impl Tree {
         let mut tree = Self {
             nodes: Vec::new(),
             blocks: Vec::new(),
-            faces: Vec::new(),
+            moderate: moderate(shapes),
             walker: Walker::found(),
         };
         if items.is_empty() {
@@ -84,8 +85,7 @@ impl Tree {
         let Collapse { mut nodes, leaves, order, clusters, weights, .. } =
             Collapse::of(&boxed, items, depth);
         drop((clusters, weights));
-        tree.faces = order.par_iter().with_min_len(GRAIN).map(|p| Face::new(shapes, *p)).collect();
-        let fill = |leaf: &Leaf| Block::new(leaf.first, &tree.faces[leaf.range()]);
+        let fill = |leaf: &Leaf| Block::new(shapes, &order[leaf.range()]);
         tree.blocks = leaves.par_iter().with_min_len(GRAIN / LANES).map(fill).collect();
         for (number, leaf) in leaves.iter().enumerate() {
             let all = order[leaf.range()].iter();
@@ -128,6 +128,11 @@ fn can_be_met(shapes: &Shapes, primitive: Primitive) -> bool {
         Kind::Plane => false,
         _ => true,
     }
+}
+
+/// Whether all coordinates of triangles are below [`MODERATE`].
+fn moderate(shapes: &Shapes) -> bool {
+    shapes.vertices().iter().all(|vertex| vertex.abs().max_element() < MODERATE)
 }
 
 /// The box around a shape, grown.

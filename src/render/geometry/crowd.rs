@@ -58,10 +58,7 @@ impl Crowd {
         other: Option<Hit>,
         coordinates: bool,
     ) -> Option<Hit> {
-        let probe = Probe::new(ray);
-        if !probe.is_sound() {
-            return other;
-        }
+        let Some(probe) = Probe::new(ray, true) else { return other };
         let rank = other.as_ref().map_or(0, |hit| match hit.primitive.kind() {
             Kind::Triangle => u64::from(hit.object) << 32,
             _ => u64::MAX,
@@ -88,7 +85,7 @@ impl Crowd {
             ng: point.ng,
             ns,
             uv: laid.unwrap_or(weights),
-            primitive: face.primitive,
+            primitive: Primitive::new(Kind::Triangle, triangle as usize),
             object: owner.object,
             material: owner.material,
         })
@@ -97,9 +94,9 @@ impl Crowd {
     /// Whether the ray meets any instance.
     #[inline(always)]
     pub fn occluded<L: Lanes>(&self, lanes: L, ray: &Ray) -> bool {
-        let probe = Probe::new(ray);
+        let Some(probe) = Probe::new(ray, true) else { return false };
         let first = First { t: ray.t_max, rank: 0, met: None };
-        probe.is_sound() && self.meet::<L, true>(lanes, &probe, first).met.is_some()
+        self.meet::<L, true>(lanes, &probe, first).met.is_some()
     }
 
     #[inline(always)]
@@ -202,7 +199,7 @@ impl Inner {
         let off = corners + Vec3A::splat((RAY_ERROR * around) as f32);
         let corners_off = corners.max_element();
         Some(Self {
-            probe: Probe::exact(origin, direction),
+            probe: Probe::rounded(origin, direction)?,
             start: begin / pace,
             pace,
             off,
@@ -243,8 +240,8 @@ impl<L: Lanes, const ANY: bool> Ends<L> for Inside<'_, ANY> {
     #[inline(always)]
     fn block(&mut self, lanes: L, number: usize) -> bool {
         let block: &Block = &self.template.blocks[number];
-        let slack = block.slack(self.inner.corners_off);
-        let candidates = block.candidates_within(lanes, &self.inner.probe, &slack);
+        let off = Some(self.inner.corners_off);
+        let candidates = block.candidates_within(lanes, &self.inner.probe, off);
         let mut possible = candidates.possible;
         if possible == 0 {
             return false;
@@ -258,7 +255,7 @@ impl<L: Lanes, const ANY: bool> Ends<L> for Inside<'_, ANY> {
             if inside && (most[lane] < 0.0 || least[lane] > self.limit) {
                 continue;
             }
-            let triangle = self.template.triangles[block.first as usize + lane];
+            let triangle = block.primitive(lane).index() as u32;
             let face = self.standing.face(&self.template.mesh, triangle);
             let Some(t) = face.meet(lanes, self.probe, inside) else { continue };
             let rank = self.standing.rank(triangle);

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3, Vec3, Vec3A};
 
 use super::Bounds;
-use super::shapes::{Kind, Owner, Primitive};
+use super::shapes::Owner;
 use super::template::Template;
 use super::triangle::Face;
 use crate::math::{Mesh, Transform};
@@ -131,11 +131,7 @@ impl Standing {
         let [a, b, c] = mesh.triangles[triangle as usize];
         let [b, c] = if self.mirrors { [c, b] } else { [b, c] };
         let corner = |i: u32| self.placement.vertex(mesh.positions[i as usize]).to_array();
-        Face {
-            corners: [corner(a), corner(b), corner(c)],
-            primitive: Primitive::new(Kind::Triangle, triangle as usize),
-            owner: Owner::default(),
-        }
+        Face { corners: [corner(a), corner(b), corner(c)] }
     }
 
     /// Whose a triangle is.

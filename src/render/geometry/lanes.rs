@@ -10,6 +10,15 @@ use glam::{DVec3, Vec3, Vec4};
 /// Numbers in a vector: children a node, triangles a block.
 pub(super) const LANES: usize = 8;
 
+/// The higher half of a number that is not negative: no more than the number, and ordered alike.
+#[inline(always)]
+pub(super) fn sixteen(number: f32) -> u32 {
+    number.to_bits() >> 16
+}
+
+/// More than [`sixteen`] of any number.
+pub(super) const NONE_LEFT: u32 = 0xFFFF;
+
 /// Arithmetic on [`LANES`] numbers. An implementation is proof that the processor can do it.
 pub(super) trait Lanes: Copy {
     /// The numbers.
@@ -17,13 +26,13 @@ pub(super) trait Lanes: Copy {
 
     fn splat(self, value: f32) -> Self::Eight;
     fn load(self, values: &[f32; LANES]) -> Self::Eight;
-    /// Whole numbers, exactly.
-    fn whole(self, values: &[u16; LANES]) -> Self::Eight;
     fn store(self, a: Self::Eight) -> [f32; LANES];
     fn add(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
     fn sub(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
     fn mul(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
     fn div(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
+    /// a·b + c, rounded once or twice.
+    fn mul_add(self, a: Self::Eight, b: Self::Eight, c: Self::Eight) -> Self::Eight;
     /// a·b − c, rounded once or twice.
     fn mul_sub(self, a: Self::Eight, b: Self::Eight, c: Self::Eight) -> Self::Eight;
     /// c − a·b, rounded once or twice.
@@ -36,6 +45,16 @@ pub(super) trait Lanes: Copy {
     /// A bit for each lane where a ≤ b.
     fn at_most(self, a: Self::Eight, b: Self::Eight) -> u32;
 
+    /// Which lanes remain, and what comes first of them.
+    type Queue: Copy;
+
+    /// The lanes where near ≤ far; near is not negative.
+    fn queue(self, near: Self::Eight, far: Self::Eight) -> Self::Queue;
+    /// The lane of the least number, and [`sixteen`] of that; [`NONE_LEFT`] if none remains.
+    fn first(self, queue: Self::Queue) -> (u32, usize);
+    /// Without a lane.
+    fn without(self, queue: Self::Queue, lane: usize) -> Self::Queue;
+
     /// Three numbers of f64 and a zero. Each operation is rounded by itself, the same everywhere.
     type Exact: Copy;
 
@@ -45,8 +64,6 @@ pub(super) trait Lanes: Copy {
     fn exact_add(self, a: Self::Exact, b: Self::Exact) -> Self::Exact;
     fn exact_sub(self, a: Self::Exact, b: Self::Exact) -> Self::Exact;
     fn exact_mul(self, a: Self::Exact, b: Self::Exact) -> Self::Exact;
-    /// Each number, or zero if that is greater.
-    fn exact_positive(self, a: Self::Exact) -> Self::Exact;
     fn exact_abs(self, a: Self::Exact) -> Self::Exact;
     /// From (x, y, z) to (y, z, x).
     fn exact_turn(self, a: Self::Exact) -> Self::Exact;
@@ -102,11 +119,6 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
-    fn whole(self, values: &[u16; LANES]) -> Pair {
-        self.load(&values.map(f32::from))
-    }
-
-    #[inline(always)]
     fn store(self, a: Pair) -> [f32; LANES] {
         let mut all = [0.0; LANES];
         a[0].write_to_slice(&mut all[..4]);
@@ -132,6 +144,11 @@ impl Lanes for Portable {
     #[inline(always)]
     fn div(self, a: Pair, b: Pair) -> Pair {
         both(a, b, |a, b| a / b)
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Pair, b: Pair, c: Pair) -> Pair {
+        self.add(self.mul(a, b), c)
     }
 
     #[inline(always)]
@@ -164,6 +181,37 @@ impl Lanes for Portable {
         a[0].cmple(b[0]).bitmask() | a[1].cmple(b[1]).bitmask() << 4
     }
 
+    type Queue = [u16; LANES];
+
+    #[inline(always)]
+    fn queue(self, near: Pair, far: Pair) -> [u16; LANES] {
+        let met = self.at_most(near, far);
+        let mut queue = self.store(near).map(|near| sixteen(near) as u16);
+        for (lane, left) in queue.iter_mut().enumerate() {
+            if met & (1 << lane) == 0 {
+                *left = NONE_LEFT as u16;
+            }
+        }
+        queue
+    }
+
+    #[inline(always)]
+    fn first(self, queue: [u16; LANES]) -> (u32, usize) {
+        let mut least = (queue[0], 0);
+        for (lane, left) in queue.into_iter().enumerate() {
+            if left < least.0 {
+                least = (left, lane);
+            }
+        }
+        (u32::from(least.0), least.1)
+    }
+
+    #[inline(always)]
+    fn without(self, mut queue: [u16; LANES], lane: usize) -> [u16; LANES] {
+        queue[lane] = NONE_LEFT as u16;
+        queue
+    }
+
     type Exact = DVec3;
 
     #[inline(always)]
@@ -194,11 +242,6 @@ impl Lanes for Portable {
     #[inline(always)]
     fn exact_mul(self, a: DVec3, b: DVec3) -> DVec3 {
         a * b
-    }
-
-    #[inline(always)]
-    fn exact_positive(self, a: DVec3) -> DVec3 {
-        a.max(DVec3::ZERO)
     }
 
     #[inline(always)]
@@ -243,6 +286,17 @@ mod avx2 {
         }
     }
 
+    /// All bits of one lane each.
+    static OUT: [[u16; LANES]; LANES] = {
+        let mut out = [[0; LANES]; LANES];
+        let mut lane = 0;
+        while lane < LANES {
+            out[lane][lane] = 0xFFFF;
+            lane += 1;
+        }
+        out
+    };
+
     /// Runs an instruction.
     macro_rules! run {
         ($instruction:expr) => {
@@ -263,11 +317,6 @@ mod avx2 {
         #[inline(always)]
         fn load(self, values: &[f32; LANES]) -> __m256 {
             run!(_mm256_loadu_ps(values.as_ptr()))
-        }
-
-        #[inline(always)]
-        fn whole(self, values: &[u16; LANES]) -> __m256 {
-            run!(_mm256_cvtepi32_ps(_mm256_cvtepu16_epi32(_mm_loadu_si128(values.as_ptr().cast()))))
         }
 
         #[inline(always)]
@@ -298,6 +347,11 @@ mod avx2 {
         }
 
         #[inline(always)]
+        fn mul_add(self, a: __m256, b: __m256, c: __m256) -> __m256 {
+            run!(_mm256_fmadd_ps(a, b, c))
+        }
+
+        #[inline(always)]
         fn mul_sub(self, a: __m256, b: __m256, c: __m256) -> __m256 {
             run!(_mm256_fmsub_ps(a, b, c))
         }
@@ -325,6 +379,29 @@ mod avx2 {
         #[inline(always)]
         fn at_most(self, a: __m256, b: __m256) -> u32 {
             run!(_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b))) as u32
+        }
+
+        type Queue = __m128i;
+
+        #[inline(always)]
+        fn queue(self, near: __m256, far: __m256) -> __m128i {
+            let missed = run!(_mm256_cmp_ps::<_CMP_NLE_UQ>(near, far));
+            let all = run!(_mm256_castps_si256(_mm256_or_ps(near, missed)));
+            let all = run!(_mm256_srli_epi32::<16>(all));
+            let (low, high) =
+                (run!(_mm256_castsi256_si128(all)), run!(_mm256_extracti128_si256::<1>(all)));
+            run!(_mm_packus_epi32(low, high))
+        }
+
+        #[inline(always)]
+        fn first(self, queue: __m128i) -> (u32, usize) {
+            let least = run!(_mm_cvtsi128_si32(_mm_minpos_epu16(queue))) as u32;
+            (least & 0xFFFF, (least >> 16) as usize % LANES)
+        }
+
+        #[inline(always)]
+        fn without(self, queue: __m128i, lane: usize) -> __m128i {
+            run!(_mm_or_si128(queue, _mm_loadu_si128(OUT[lane].as_ptr().cast())))
         }
 
         type Exact = __m256d;
@@ -360,11 +437,6 @@ mod avx2 {
         #[inline(always)]
         fn exact_mul(self, a: __m256d, b: __m256d) -> __m256d {
             run!(_mm256_mul_pd(a, b))
-        }
-
-        #[inline(always)]
-        fn exact_positive(self, a: __m256d) -> __m256d {
-            run!(_mm256_max_pd(a, _mm256_setzero_pd()))
         }
 
         #[inline(always)]

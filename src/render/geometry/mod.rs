@@ -143,12 +143,12 @@ impl Geometry {
     #[inline(always)]
     fn hit<L: Lanes>(&self, lanes: L, probe: &Probe, best: &Best) -> Option<Hit> {
         let primitive = best.primitive?;
-        let (surface, t, owner) = match best.face() {
-            Some(face) => {
-                let face = &self.tree.faces[face];
-                let normals = self.shapes.corner_normals(face.primitive.index());
+        let (surface, t, owner) = match best.place() {
+            Some((block, lane)) => {
+                let face = self.tree.blocks[block].face(lane);
+                let normals = self.shapes.corner_normals(primitive.index());
                 let (surface, t) = face.surface(lanes, probe, normals);
-                (surface, t, face.owner)
+                (surface, t, self.shapes.triangle_owners[primitive.index()])
             }
             None => (self.surface(probe, primitive), best.t, self.shapes.owner(primitive)),
         };

@@ -50,15 +50,6 @@ impl Child {
             _ => Below::Round(Primitive::from_bits(self.0)),
         }
     }
-
-    /// As a number; the inverse of `from_bits`.
-    pub fn bits(self) -> u32 {
-        self.0
-    }
-
-    pub fn from_bits(bits: u32) -> Self {
-        Self(bits)
-    }
 }
 
 /// Eight boxes and what they hold.

@@ -122,71 +122,68 @@ pub fn between(from: &Point, to: &Point) -> Ray {
 /// A ray as the shapes want it: in f64, where f32 coordinates and their differences are exact, and
 /// in f32 for the quick tests.
 pub(super) struct Probe {
-    /// In f32, for boxes; the fourth coordinate means nothing.
+    /// In f32; the fourth coordinate means nothing.
     pub near_origin: Vec3A,
     pub near_direction: Vec3A,
+    /// See [`inverse`].
+    pub inverse: Vec3A,
     /// The last one is that along which the direction is longest, the depth of the triangles' test;
     /// before it the two that follow it.
     pub axes: [usize; 3],
-    /// Slope of the direction along the first two axes, as the depth grows; at most ±1.
-    pub shear: [f64; 2],
-    /// Where the ray is along the first two axes, at depth zero.
-    pub sheared: [f64; 2],
-    /// The shear in f32.
-    pub near_shear: [f32; 2],
-    /// The origin's depth, and the parameter per unit of depth.
-    pub near_depth: [f32; 2],
-    /// The origin's greatest coordinate, without its sign.
-    pub size: f32,
+    /// The origin along these axes.
+    pub turned: [f32; 3],
+    /// Slope of the direction along the first two of them, as the depth grows; at most ±1.
+    pub shear: [f32; 2],
+    /// The parameter per unit of depth.
+    pub per_depth: f32,
+    /// Whether coordinates are so great that their squares may be no numbers in f32.
+    pub extreme: bool,
 }
 
+/// Coordinates below this have squares that f32 can hold, even of their differences.
+pub(super) const MODERATE: f32 = (1_u64 << 60) as f32;
+
 impl Probe {
+    /// For a ray, if it is one, among shapes whose coordinates are below [`MODERATE`] or not.
     #[inline(always)]
-    pub fn new(ray: &Ray) -> Self {
-        let size = ray.direction.abs();
+    pub fn new(ray: &Ray, moderate: bool) -> Option<Self> {
+        let (near_origin, near_direction) = (Vec3A::from(ray.origin), Vec3A::from(ray.direction));
+        let (place, size) = (near_origin.abs(), near_direction.abs());
         let z = if size.y > size.x { 1 } else { 0 };
         let z = if size.z > size.x.max(size.y) { 2 } else { z };
-        let x = if z == 2 { 0 } else { z + 1 };
-        let axes = [x, 3 - x - z, z];
-        let [x, y, z] = axes;
-        let depth = f64::from(ray.direction[z]);
-        let shear = [f64::from(ray.direction[x]) / depth, f64::from(ray.direction[y]) / depth];
-        let back = f64::from(ray.origin[z]);
-        Self {
-            near_origin: ray.origin.into(),
-            near_direction: ray.direction.into(),
-            axes,
-            shear,
-            sheared: [
-                f64::from(ray.origin[x]) - shear[0] * back,
-                f64::from(ray.origin[y]) - shear[1] * back,
-            ],
-            near_shear: [shear[0] as f32, shear[1] as f32],
-            near_depth: [ray.origin[z], 1.0 / ray.direction[z]],
-            size: Vec3A::from(ray.origin).abs().max_element(),
-        }
+        let [x, y] = [(z + 1) % 3, (z + 2) % 3];
+        let [o, d] = [near_origin.to_array(), near_direction.to_array()];
+        let inverse = inverse(near_direction);
+        let per_depth = inverse.to_array()[z];
+        Some(Self {
+            near_origin,
+            near_direction,
+            inverse,
+            axes: [x, y, z],
+            turned: [o[x], o[y], o[z]],
+            shear: [d[x] * per_depth, d[y] * per_depth],
+            per_depth,
+            extreme: !(moderate && place.cmplt(Vec3A::splat(MODERATE)).all()),
+        })
+        .filter(|_| {
+            let finite = place.cmplt(Vec3A::INFINITY) & size.cmplt(Vec3A::INFINITY);
+            finite.all() && d[z] != 0.0
+        })
     }
 
-    /// Of a ray that f32 only rounds: what is in f64 is by its exact numbers.
+    /// Of a ray that f32 only rounds, among moderate shapes.
     #[inline(always)]
-    pub fn exact(origin: DVec3, direction: DVec3) -> Self {
-        let near = Ray::new(origin.as_vec3(), direction.as_vec3());
-        let probe = Self::new(&near);
-        let [x, y, z] = probe.axes;
-        let shear = [direction[x] / direction[z], direction[y] / direction[z]];
-        Self {
-            shear,
-            sheared: [origin[x] - shear[0] * origin[z], origin[y] - shear[1] * origin[z]],
-            near_shear: [shear[0] as f32, shear[1] as f32],
-            ..probe
-        }
+    pub fn rounded(origin: DVec3, direction: DVec3) -> Option<Self> {
+        Self::new(&Ray::new(origin.as_vec3(), direction.as_vec3()), true)
     }
 
-    /// Whether it is a ray at all: one that is not meets nothing.
+    /// The shear in f64.
     #[inline(always)]
-    pub fn is_sound(&self) -> bool {
-        let (o, d) = (self.near_origin.abs(), self.near_direction.abs());
-        (o.cmplt(Vec3A::INFINITY) & d.cmplt(Vec3A::INFINITY)).all() && d.cmpgt(Vec3A::ZERO).any()
+    pub fn exact_shear(&self) -> [f64; 2] {
+        let [x, y, z] = self.axes;
+        let d = self.near_direction.to_array();
+        let depth = f64::from(d[z]);
+        [f64::from(d[x]) / depth, f64::from(d[y]) / depth]
     }
 
     pub fn origin(&self) -> DVec3 {
@@ -204,4 +201,30 @@ pub(super) struct Surface {
     pub ns: Vec3,
     /// Of a triangle, the weights of its second and third corner; else zero.
     pub uv: Vec2,
+}
+
+/// 1/d, finite: a coordinate within ±2⁻¹⁰⁰ stands for one of that size, which moves the ray by less
+/// than boxes are padded. −0 goes the same way as +0.
+#[inline(always)]
+fn inverse(direction: Vec3A) -> Vec3A {
+    const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
+    let size = direction.abs().max(Vec3A::splat(LEAST));
+    let size = Vec3A::select(direction.cmplt(Vec3A::ZERO), -size, size);
+    size.recip()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverses_are_finite_and_zeros_alike() {
+        let inverse = |d: f32| inverse(Vec3A::splat(d)).x;
+        assert_eq!(inverse(-0.5), -2.0);
+        assert_eq!(inverse(0.0), inverse(-0.0));
+        for d in [0.0, 1e-45, -1e-45, 1e-38, -1e-30, 1.0] {
+            let i = inverse(d);
+            assert!(i.is_finite() && i * d >= 0.0, "{d}");
+        }
+    }
 }

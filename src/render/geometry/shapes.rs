@@ -234,6 +234,11 @@ impl Shapes {
         self.coordinates.chart(primitive, chart);
     }
 
+    /// All vertex positions.
+    pub(super) fn vertices(&self) -> &[Vec3] {
+        &self.vertices
+    }
+
     /// Corner positions of a triangle.
     #[inline]
     pub(super) fn corners(&self, triangle: usize) -> [Vec3; 3] {

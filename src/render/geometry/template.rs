@@ -25,8 +25,6 @@ pub(super) struct Template {
     pub farthest: DVec3,
     pub nodes: Vec<Node>,
     pub blocks: Vec<Block>,
-    /// The triangles of all blocks, block by block.
-    pub triangles: Vec<u32>,
 }
 
 impl Template {
@@ -42,10 +40,9 @@ impl Template {
         for corners in &mesh.triangles {
             shapes.triangle(Triangle { corners: *corners, normals: None, owner: Owner::default() });
         }
-        let Tree { nodes, blocks, faces, .. } = Tree::of_all(&shapes);
-        let triangles = faces.iter().map(|face| face.primitive.index() as u32).collect();
+        let Tree { nodes, blocks, .. } = Tree::of_all(&shapes);
         let farthest = bounds.min.abs().max(bounds.max.abs());
-        Self { mesh: mesh.clone(), centre, scale, farthest, nodes, blocks, triangles }
+        Self { mesh: mesh.clone(), centre, scale, farthest, nodes, blocks }
     }
 
     /// Memory held, in bytes; the mesh is part of it.
@@ -53,7 +50,6 @@ impl Template {
         self.mesh.bytes()
             + self.nodes.capacity() * size_of::<Node>()
             + self.blocks.capacity() * size_of::<Block>()
-            + self.triangles.capacity() * size_of::<u32>()
     }
 }
 

@@ -3,23 +3,20 @@
 use super::ask::Walker;
 use super::block::Block;
 use super::node::Node;
-use super::triangle::Face;
 
 /// The tree.
 pub(super) struct Tree {
     /// The first is the root; children come after their parents.
     pub nodes: Vec<Node>,
     pub blocks: Vec<Block>,
-    /// The triangles of all blocks, block by block.
-    pub faces: Vec<Face>,
+    /// Whether all coordinates of triangles are below [`super::ray::MODERATE`].
+    pub moderate: bool,
     pub walker: Walker,
 }
 
 impl Tree {
     /// Memory held, in bytes.
     pub fn bytes(&self) -> usize {
-        self.nodes.capacity() * size_of::<Node>()
-            + self.blocks.capacity() * size_of::<Block>()
-            + self.faces.capacity() * size_of::<Face>()
+        self.nodes.capacity() * size_of::<Node>() + self.blocks.capacity() * size_of::<Block>()
     }
 }

@@ -6,24 +6,14 @@ use super::Bounds;
 use super::lanes::Lanes;
 use super::ray::{Point, Probe, Surface};
 use super::rounding;
-use super::shapes::{Owner, Primitive, Shapes};
 
-/// A triangle as the tree keeps it, in the order of the tree: all that a meeting with it asks for,
-/// side by side.
+/// A triangle taken from its block.
 pub(super) struct Face {
     /// World units.
     pub corners: [[f32; 3]; 3],
-    pub primitive: Primitive,
-    pub owner: Owner,
 }
 
 impl Face {
-    pub fn new(shapes: &Shapes, primitive: Primitive) -> Self {
-        let index = primitive.index();
-        let corners = shapes.corners(index).map(|corner| corner.to_array());
-        Self { corners, primitive, owner: shapes.triangle_owners[index] }
-    }
-
     /// Twice the signed areas of the three parts into which the ray cuts the triangle, seen along
     /// the ray; they are the barycentric weights, not yet divided by their sum.
     ///
@@ -36,8 +26,9 @@ impl Face {
         let depth = self.across(lanes, probe, z);
         let x = self.across(lanes, probe, x);
         let y = self.across(lanes, probe, y);
-        let x = lanes.exact_sub(x, lanes.exact_scale(depth, probe.shear[0]));
-        let y = lanes.exact_sub(y, lanes.exact_scale(depth, probe.shear[1]));
+        let shear = probe.exact_shear();
+        let x = lanes.exact_sub(x, lanes.exact_scale(depth, shear[0]));
+        let y = lanes.exact_sub(y, lanes.exact_scale(depth, shear[1]));
         // Of the corners after and before each one: c and b, a and c, b and a.
         let (after, last) = (lanes.exact_turn(x), lanes.exact_turn(y));
         let (next, other) = (lanes.exact_turn(after), lanes.exact_turn(last));
@@ -97,10 +88,8 @@ impl Face {
         probe: &Probe,
         normals: Option<[DVec3; 3]>,
     ) -> (Surface, f32) {
-        let parts = self.parts(lanes, probe);
-        // The ray may pass outside by rounding: the nearest weights inside stand for it.
-        let side = 1_f64.copysign(lanes.exact_sum(parts));
-        let weights = lanes.exact_positive(lanes.exact_scale(parts, side));
+        // All of one sign.
+        let weights = lanes.exact_abs(self.parts(lanes, probe));
         let sum = lanes.exact_sum(weights);
         let weights = if sum > 0.0 {
             lanes.exact_scale(weights, 1.0 / sum)
@@ -152,8 +141,7 @@ pub(super) fn normal([a, b, c]: [DVec3; 3]) -> DVec3 {
 #[cfg(test)]
 pub(super) fn meet(probe: &Probe, corners: [DVec3; 3], inside: bool) -> Option<f32> {
     let corners = corners.map(|corner| corner.as_vec3().to_array());
-    let face = Face { corners, primitive: Primitive::from_bits(0), owner: Owner::default() };
-    face.meet(super::lanes::Portable, probe, inside)
+    Face { corners }.meet(super::lanes::Portable, probe, inside)
 }
 
 /// The box of the three corners.

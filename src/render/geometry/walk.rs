@@ -1,18 +1,20 @@
 //! The way of a ray through the tree.
 //!
-//! Boxes are tested by slabs in f32. A plane's parameter (b − o)·(1/d) is computed as b/d − o/d, in
-//! which the roundings of o/d and b/d can be far above those of the difference. They are below 4u of
-//! |o/d| beside 4u of the parameter itself: the former is taken from near planes and added to far
-//! ones ([`Slabs`]), the latter, with the rounding of the best t, is in [`WIDEN`] [Ize13].
+//! Boxes are tested by slabs in f32. A plane's parameter (b − o)·(1/d) is off by less than 4u of
+//! itself, u = 2⁻²⁴; what near, far and the best t can be apart by that is in [`WIDEN`] [Ize13].
 //! Boxes are a little larger than their shapes ([`super::build`]) for rays along their faces.
+//!
+//! Children that wait are kept by node, with the higher halves of their distances side by side: the
+//! nearest is found, and left out, by one instruction each where the processor has it. Rounded
+//! down so, a distance is a little less than it is: a child may be opened in vain, never left out.
 
 use std::mem::MaybeUninit;
 
 use glam::Vec3A;
 
-use super::best::Best;
-use super::block::Block;
-use super::lanes::{LANES, Lanes};
+use super::best::{self, Best};
+use super::block::{Block, Candidates};
+use super::lanes::{LANES, Lanes, NONE_LEFT, sixteen};
 use super::node::{Below, Child, Node};
 use super::ray::Probe;
 use super::shapes::{Kind, Primitive, Shapes};
@@ -25,9 +27,6 @@ const WIDEN: f32 = 1.0 + 8.0 * f32::EPSILON;
 /// Most nodes on the way from the root to a leaf; build keeps to it.
 pub(super) const DEEPEST: usize = 26;
 
-/// Each node on the way leaves at most seven children waiting; the last is left with eight.
-const STACK: usize = DEEPEST * (LANES - 1) + 1;
-
 /// Offers every meeting that can be the best. With `ANY`, returns at the first found.
 #[inline(always)]
 pub(super) fn walk<L: Lanes, const ANY: bool>(
@@ -36,14 +35,10 @@ pub(super) fn walk<L: Lanes, const ANY: bool>(
     shapes: &Shapes,
     probe: &Probe,
     best: &mut Best,
-) {
+) -> bool {
     let slabs = Slabs::new(lanes, probe);
-    descend::<L, ANY, _>(
-        lanes,
-        &tree.nodes,
-        &slabs,
-        &mut World::<ANY> { tree, shapes, probe, best },
-    );
+    let mut world = World::<ANY> { tree, shapes, probe, best };
+    descend::<L, ANY, _>(lanes, &tree.nodes, &slabs, &mut world)
 }
 
 /// What is met at the ends of a tree's branches.
@@ -74,13 +69,13 @@ impl<L: Lanes, const ANY: bool> Ends<L> for World<'_, ANY> {
 
     #[inline(always)]
     fn block(&mut self, lanes: L, number: usize) -> bool {
-        meet_block::<L, ANY>(lanes, self.tree, &self.tree.blocks[number], self.probe, self.best)
+        meet_block::<L, ANY>(lanes, &self.tree.blocks, number, self.probe, self.best)
     }
 
     #[inline(always)]
     fn round(&mut self, lanes: L, primitive: Primitive) -> bool {
         if let Some(t) = meet_round(self.shapes, self.probe, primitive) {
-            self.best.settle(lanes, &self.tree.faces, self.probe);
+            self.best.settle(lanes, &self.tree.blocks, self.probe);
             self.best.offer(t, primitive);
             return ANY && self.best.primitive.is_some();
         }
@@ -88,137 +83,159 @@ impl<L: Lanes, const ANY: bool> Ends<L> for World<'_, ANY> {
     }
 }
 
-/// The way through a tree, nearest boxes first; with `ANY`, in no order.
+/// The way through a tree, nearest boxes first; with `ANY`, in no order. Whether its end was met.
 #[inline(always)]
 pub(super) fn descend<L: Lanes, const ANY: bool, E: Ends<L>>(
     lanes: L,
     nodes: &[Node],
     slabs: &Slabs<L>,
     ends: &mut E,
-) {
+) -> bool {
     if nodes.is_empty() {
-        return;
+        return false;
     }
-    let mut stack = [MaybeUninit::uninit(); STACK];
+    if ANY { any(lanes, nodes, slabs, ends) } else { first(lanes, nodes, slabs, ends) }
+}
+
+/// Nearest boxes first.
+#[inline(always)]
+fn first<L: Lanes, E: Ends<L>>(lanes: L, nodes: &[Node], slabs: &Slabs<L>, ends: &mut E) -> bool {
+    // A node on the way, and which of its children wait.
+    let mut stack = [MaybeUninit::<(L::Queue, u32)>::uninit(); DEEPEST];
     let mut waiting = 0;
     let mut current = Child::ROOT;
     loop {
         match current.below() {
             Below::Node(number) => {
                 let node = &nodes[number];
-                let (near, mut met) = slabs.meet(lanes, node, ends.limit());
-                if met != 0 {
-                    // Where any meeting will do, the largest come first: they are the last lanes.
-                    let near = if ANY { [0.0; LANES] } else { lanes.store(near) };
-                    let mut next = || {
-                        let lane = (met.trailing_zeros() as usize) % LANES;
-                        met &= met - 1;
-                        (entry(near[lane], node.children[lane]), met != 0)
-                    };
-                    // The nearest is held back, the others wait, the farthest longest.
-                    let (mut nearest, mut more) = next();
-                    let before = waiting;
-                    while more {
-                        let mut farther;
-                        (farther, more) = next();
-                        if ANY || farther < nearest {
-                            (nearest, farther) = (farther, nearest);
-                        }
-                        let mut at = waiting;
-                        while !ANY && at > before {
-                            // SAFETY: as below.
-                            let other = unsafe { stack[at - 1].assume_init() };
-                            if other >= farther {
-                                break;
-                            }
-                            stack[at] = MaybeUninit::new(other);
-                            at -= 1;
-                        }
-                        stack[at] = MaybeUninit::new(farther);
-                        waiting += 1;
-                    }
-                    current = split(nearest).1;
+                let (near, far) = slabs.meet(lanes, node, ends.limit());
+                let queue = lanes.queue(near, far);
+                let (near, lane) = lanes.first(queue);
+                if near != NONE_LEFT {
+                    let queue = lanes.without(queue, lane);
+                    stack[waiting] = MaybeUninit::new((queue, number as u32));
+                    waiting += usize::from(lanes.first(queue).0 != NONE_LEFT);
+                    current = node.children[lane];
                     continue;
                 }
             }
             Below::Block(number) => {
                 if ends.block(lanes, number) {
-                    return;
+                    return true;
                 }
             }
             Below::Round(primitive) => {
                 if ends.round(lanes, primitive) {
-                    return;
+                    return true;
                 }
             }
         }
-        let limit = ends.limit() * WIDEN;
+        let limit = sixteen(ends.limit() * WIDEN);
         loop {
             if waiting == 0 {
-                return;
+                return false;
             }
-            waiting -= 1;
             // SAFETY: all below `waiting` has been written.
-            let (near, child) = split(unsafe { stack[waiting].assume_init() });
-            if ANY || near <= limit {
-                current = child;
+            let (queue, number) = unsafe { stack[waiting - 1].assume_init() };
+            let (near, lane) = lanes.first(queue);
+            if near <= limit {
+                stack[waiting - 1] = MaybeUninit::new((lanes.without(queue, lane), number));
+                current = nodes[number as usize].children[lane];
                 break;
             }
+            waiting -= 1;
         }
     }
 }
 
-/// A child waiting on the stack. Ordered by distance, as floats that are not negative are by bits.
+/// The largest boxes first: they are the last lanes.
 #[inline(always)]
-fn entry(near: f32, child: Child) -> u64 {
-    u64::from(near.to_bits()) << 32 | u64::from(child.bits())
+fn any<L: Lanes, E: Ends<L>>(lanes: L, nodes: &[Node], slabs: &Slabs<L>, ends: &mut E) -> bool {
+    // A node on the way, and a bit for each of its children that wait.
+    let mut stack = [MaybeUninit::<(u32, u32)>::uninit(); DEEPEST];
+    let mut waiting = 0;
+    let mut current = Child::ROOT;
+    loop {
+        match current.below() {
+            Below::Node(number) => {
+                let node = &nodes[number];
+                let (near, far) = slabs.meet(lanes, node, ends.limit());
+                let met = lanes.at_most(near, far);
+                if met != 0 {
+                    let lane = met.ilog2();
+                    let others = met ^ (1 << lane);
+                    stack[waiting] = MaybeUninit::new((others, number as u32));
+                    waiting += usize::from(others != 0);
+                    current = node.children[lane as usize % LANES];
+                    continue;
+                }
+            }
+            Below::Block(number) => {
+                if ends.block(lanes, number) {
+                    return true;
+                }
+            }
+            Below::Round(primitive) => {
+                if ends.round(lanes, primitive) {
+                    return true;
+                }
+            }
+        }
+        if waiting == 0 {
+            return false;
+        }
+        // SAFETY: all below `waiting` has been written; none that is there is zero.
+        let (met, number) = unsafe { stack[waiting - 1].assume_init() };
+        let lane = met.ilog2();
+        let others = met ^ (1 << lane);
+        stack[waiting - 1] = MaybeUninit::new((others, number));
+        waiting -= usize::from(others == 0);
+        current = nodes[number as usize].children[lane as usize % LANES];
+    }
 }
 
-#[inline(always)]
-fn split(entry: u64) -> (f32, Child) {
-    (f32::from_bits((entry >> 32) as u32), Child::from_bits(entry as u32))
-}
-
-/// Offers the triangles that the ray meets; whether that is the end.
+/// Offers the triangles that the ray meets; with `ANY`, whether it meets one of them.
 #[inline(always)]
 fn meet_block<L: Lanes, const ANY: bool>(
     lanes: L,
-    tree: &Tree,
-    block: &Block,
+    blocks: &[Block],
+    number: usize,
     probe: &Probe,
     best: &mut Best,
 ) -> bool {
-    let candidates = block.candidates(lanes, probe);
-    let mut possible = candidates.possible;
+    let block = &blocks[number];
+    let Candidates { possible, inside, between: [least, most] } = block.candidates(lanes, probe);
     if possible == 0 {
         return false;
     }
-    let (least, most) = (lanes.store(candidates.between[0]), lanes.store(candidates.between[1]));
-    while possible != 0 {
-        let lane = (possible.trailing_zeros() as usize) % LANES;
-        possible &= possible - 1;
-        let number = block.first as usize + lane;
-        let inside = candidates.inside & (1 << lane) != 0;
-        let between = [least[lane], most[lane]];
-        if inside && between[1] < 0.0 {
-            continue;
+    let tiny = lanes.splat(f32::MIN_POSITIVE);
+    let ahead = inside & lanes.at_most(tiny, least);
+    let behind = inside & lanes.at_most(most, lanes.sub(lanes.splat(0.0), tiny));
+    let first = ahead & lanes.at_most(least, lanes.splat(best.t));
+    // Neither certainly behind the origin, nor certainly met.
+    let mut left = possible & !(ahead | behind);
+    if ANY {
+        let met = first & lanes.at_most(most, lanes.splat(best.t.next_down()));
+        if met != 0 {
+            return true;
         }
-        if inside && between[0] > 0.0 {
-            if !ANY {
-                best.offer_within(lanes, between, (&tree.faces, number), probe);
-                continue;
-            }
-            if between[1] < best.t {
-                best.primitive = Some(tree.faces[number].primitive);
-                return true;
-            }
-            if between[0] > best.t {
-                continue;
-            }
+        left |= first;
+    } else if first != 0 {
+        let (least, most) = (lanes.store(least), lanes.store(most));
+        let mut first = first;
+        while first != 0 {
+            let lane = first.trailing_zeros() as usize % LANES;
+            first &= first - 1;
+            let place = best::place(number, lane);
+            best.offer_within(lanes, [least[lane], most[lane]], (blocks, place), probe);
         }
-        if let Some(t) = tree.faces[number].meet(lanes, probe, inside) {
-            best.settle(lanes, &tree.faces, probe);
-            best.offer_face(t, tree.faces[number].primitive, number as u32);
+    }
+    while left != 0 {
+        let lane = left.trailing_zeros() as usize % LANES;
+        left &= left - 1;
+        if let Some(t) = block.face(lane).meet(lanes, probe, inside & (1 << lane) != 0) {
+            best.settle(lanes, blocks, probe);
+            best.offer_at(t, block.primitive(lane), best::place(number, lane));
             if ANY && best.primitive.is_some() {
                 return true;
             }
@@ -238,7 +255,7 @@ fn meet_round(shapes: &Shapes, probe: &Probe, primitive: Primitive) -> Option<f3
 /// A ray as boxes want it.
 pub(super) struct Slabs<L: Lanes> {
     inverse: [L::Eight; 3],
-    /// o/d, for near planes and for far ones.
+    /// For near planes and for far ones.
     origin: [[L::Eight; 2]; 3],
     /// 1 where the ray goes towards lesser coordinates, and so meets upper planes first.
     backwards: [usize; 3],
@@ -247,24 +264,22 @@ pub(super) struct Slabs<L: Lanes> {
 impl<L: Lanes> Slabs<L> {
     #[inline(always)]
     pub fn new(lanes: L, probe: &Probe) -> Self {
-        let inverse = inverse(probe.near_direction, probe.near_origin);
-        let origin = probe.near_origin * inverse;
-        Self::widened(lanes, inverse, origin, origin.abs() * (2.0 * f32::EPSILON))
+        Self::from(lanes, probe, [probe.near_origin; 2])
     }
 
     /// The same for boxes, or a ray, that are off by so much along each axis.
     #[inline(always)]
     pub fn within(lanes: L, probe: &Probe, off: Vec3A) -> Self {
-        let inverse = inverse(probe.near_direction, probe.near_origin);
-        let origin = probe.near_origin * inverse;
-        let error = (origin.abs() + off * inverse.abs()) * (2.0 * f32::EPSILON);
-        Self::widened(lanes, inverse, origin, error + off * inverse.abs())
+        let origin = probe.near_origin;
+        let off = off + (origin.abs() + off) * (2.0 * f32::EPSILON);
+        let forwards = off.copysign(probe.inverse);
+        Self::from(lanes, probe, [origin + forwards, origin - forwards])
     }
 
-    /// With an error of o/d.
+    /// With an origin for near planes and one for far ones.
     #[inline(always)]
-    fn widened(lanes: L, inverse: Vec3A, origin: Vec3A, error: Vec3A) -> Self {
-        let (near, far) = (origin + error, origin - error);
+    fn from(lanes: L, probe: &Probe, [near, far]: [Vec3A; 2]) -> Self {
+        let inverse = probe.inverse;
         // Not by `map`: a call that is not inlined loses what the processor is known to have.
         Self {
             inverse: [lanes.splat(inverse.x), lanes.splat(inverse.y), lanes.splat(inverse.z)],
@@ -281,15 +296,16 @@ impl<L: Lanes> Slabs<L> {
         }
     }
 
-    /// Where the ray enters each of the boxes, and a bit for each that it enters before `limit`.
+    /// Where the ray enters each of the boxes, and where it leaves them or ends: it meets those where
+    /// the former is not more than the latter.
     #[inline(always)]
-    fn meet(&self, lanes: L, node: &Node, limit: f32) -> (L::Eight, u32) {
+    fn meet(&self, lanes: L, node: &Node, limit: f32) -> (L::Eight, L::Eight) {
         let [x, y, z] = [0, 1, 2];
         let near = lanes.max(self.plane(lanes, node, x, 0), self.plane(lanes, node, y, 0));
         let near = lanes.max(near, lanes.max(self.plane(lanes, node, z, 0), lanes.splat(0.0)));
         let far = lanes.min(self.plane(lanes, node, x, 1), self.plane(lanes, node, y, 1));
         let far = lanes.min(far, lanes.min(self.plane(lanes, node, z, 1), lanes.splat(limit)));
-        (near, lanes.at_most(near, lanes.mul(far, lanes.splat(WIDEN))))
+        (near, lanes.mul(far, lanes.splat(WIDEN)))
     }
 
     /// Where the ray meets the near (0) or far (1) planes across an axis.
@@ -297,38 +313,6 @@ impl<L: Lanes> Slabs<L> {
     fn plane(&self, lanes: L, node: &Node, axis: usize, far: usize) -> L::Eight {
         let side = (self.backwards[axis] ^ far) & 1;
         let planes = lanes.load(&node.planes[axis][side]);
-        lanes.mul_sub(planes, self.inverse[axis], self.origin[axis][far])
-    }
-}
-
-/// 1/d, kept so small that o/d is finite: a coordinate within ±2⁻¹⁰⁰, or ±2⁻¹²⁶ of the origin's,
-/// stands for one of that size, which moves the ray by less than what o/d is widened by, or boxes
-/// are padded. −0 goes the same way as +0.
-#[inline(always)]
-fn inverse(direction: Vec3A, origin: Vec3A) -> Vec3A {
-    const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
-    const FAR: f32 = 1.0 / (1_u128 << 26) as f32;
-    // In this order, since numbers below the normal ones are slow.
-    let least = (origin.abs() * FAR).max(Vec3A::ONE) * LEAST;
-    let size = direction.abs().max(least);
-    let size = Vec3A::select(direction.cmplt(Vec3A::ZERO), -size, size);
-    size.recip()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn inverses_are_finite_and_zeros_alike() {
-        let inverse = |d: f32, o: f32| inverse(Vec3A::splat(d), Vec3A::splat(o)).x;
-        assert_eq!(inverse(-0.5, 1.0), -2.0);
-        assert_eq!(inverse(0.0, 1.0), inverse(-0.0, 1.0));
-        for d in [0.0, 1e-45, -1e-45, 1e-38, -1e-30, 1.0] {
-            for o in [0.0, 1e-45, 1.0, -1e12, f32::MAX] {
-                let i = inverse(d, o);
-                assert!(i.is_finite() && (i * o).is_finite() && i * d >= 0.0, "{d}, {o}");
-            }
-        }
+        lanes.mul(lanes.sub(planes, self.origin[axis][far]), self.inverse[axis])
     }
 }

@@ -15,7 +15,7 @@ use super::{Geometry, Primitive, Ray};
 
 /// The first meeting by asking every shape, without a tree.
 fn by_hand(geometry: &Geometry, ray: &Ray) -> Option<(f32, Primitive)> {
-    let probe = super::Probe::new(ray);
+    let probe = super::Probe::new(ray, true).unwrap();
     let shapes = geometry.shapes();
     let meet = |p: Primitive| match p.kind() {
         super::Kind::Triangle => {
