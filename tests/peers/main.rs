@@ -1,8 +1,10 @@
 //! Our figures against those of programs others wrote: flip-evaluator of NVIDIA for FLIP,
 //! scikit-image for SSIM. Their values were recorded by measure.py, which makes them again.
+//! And what run.py compares with other renderers, so far as it is ours.
 
 mod pairs;
 mod recorded;
+mod scenes;
 
 use std::path::Path;
 

@@ -1,0 +1,1 @@
+"""scn against its peers; ../README.md tells what is measured, and how."""
