@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::World;
 use super::film::{Begun, Taken, Tile};
 use super::geometry::Ray;
-use super::integrators::Carrier;
+use super::integrators::{Carrier, GiveUp};
 use super::samplers::Stream;
 use crate::math::Rgb;
 
@@ -25,8 +25,9 @@ pub struct Job<'a> {
     pub tiles: &'a [usize],
     /// What was taken before, up to these samples.
     pub taken: &'a Taken,
-    /// Asked before each tile: whether to leave the rest undone.
-    pub cancelled: &'a (dyn Fn() -> bool + Sync),
+    /// Whether to leave the rest undone. Asked before each tile; and now and then in a sample, with
+    /// the rays that it has followed, since one alone may take for ever.
+    pub cancelled: &'a GiveUp<'a>,
     /// Told after each tile how many samples were taken in it.
     pub advance: &'a (dyn Fn(u64) + Sync),
 }
@@ -81,7 +82,7 @@ impl Counts {
 }
 
 /// Takes the job's samples of every pixel of its tiles: the sums of each tile's block, with what
-/// was taken before. A tile is None if the job was cancelled before it.
+/// was taken before. A tile is None if the job was cancelled before its end.
 pub fn pass<F>(world: &World, job: &Job, radiance: F) -> Vec<Option<Begun>>
 where
     F: Fn(&Ray, &mut Stream, &mut Carrier) + Sync,
@@ -91,19 +92,25 @@ where
         .par_iter()
         .with_max_len(1)
         .map(|&index| {
-            if (job.cancelled)() {
+            if (job.cancelled)(0) {
                 return None;
             }
             let tile = &tiles[index];
-            let sums = one(world, job, tile, job.taken.begun(index), &radiance);
+            let sums = one(world, job, tile, job.taken.begun(index), &radiance)?;
             (job.advance)(tile.pixels() * (job.samples.end - job.samples.start));
             Some(sums)
         })
         .collect()
 }
 
-/// The samples of one tile.
-fn one<F>(world: &World, job: &Job, tile: &Tile, from: Option<&Begun>, radiance: &F) -> Begun
+/// The samples of one tile; None if one of them was given up.
+fn one<F>(
+    world: &World,
+    job: &Job,
+    tile: &Tile,
+    from: Option<&Begun>,
+    radiance: &F,
+) -> Option<Begun>
 where
     F: Fn(&Ray, &mut Stream, &mut Carrier),
 {
@@ -113,10 +120,14 @@ where
     let fresh = || Begun::new(size, block, rhythm);
     let mut begun = from.cloned().unwrap_or_else(fresh);
     let mut carrier = Carrier::new(world, *begun.counts());
+    carrier.give_up = Some(job.cancelled);
     for (index, (x, y)) in tile.places().enumerate() {
         let mut pixel = begun.pixel(index);
         for (nth, sample) in (first..).zip(job.samples.clone()) {
             let weight = take(world, job.seed, [x, y], sample, &mut carrier, radiance);
+            if carrier.given_up {
+                return None;
+            }
             let weighed = |radiance: Rgb| radiance.to_array().map(|x| weight * f64::from(x));
             let value = if carrier.radiance.is_finite() {
                 let sums = begun.layers(index, world.film.layers);
@@ -136,7 +147,7 @@ where
         begun.put(index, &pixel);
     }
     *begun.counts() = carrier.counts;
-    begun
+    Some(begun)
 }
 
 /// Takes one sample of a pixel: what it finds is in the carrier. Returns what the filter makes of
@@ -224,7 +235,7 @@ mod tests {
             samples,
             tiles: &tiles,
             taken: &taken,
-            cancelled: &|| false,
+            cancelled: &|_| false,
             advance: &|_| (),
         };
         for (tile, begun) in pass(world, &job, radiance).into_iter().enumerate() {

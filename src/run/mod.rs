@@ -1,8 +1,9 @@
 //! A render as a sequence of passes: World and a stop rule → picture, and how wrong it is.
 //!
-//! Clocks and observers are handed in. Between passes and tiles a render can be cancelled; how it
-//! is cut into passes shows in nothing but the time it takes to answer. What was taken can be kept
-//! between passes and gone on from later, to the same bits.
+//! Clocks and observers are handed in. A render can be cancelled between passes and tiles, and in
+//! the middle of a long sample, which is dropped; how it is cut into passes shows in nothing but
+//! the time it takes to answer. What was taken can be kept between passes and gone on from later, to
+//! the same bits.
 
 mod judge;
 mod pace;
@@ -10,7 +11,7 @@ mod paired;
 mod pilot;
 mod rule;
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use crate::math::Picture;
 use crate::measure::noise::Noise;
@@ -64,9 +65,13 @@ impl Begin {
     }
 }
 
+/// A sample that has followed so many rays may never end: once the time is over, it is given up.
+const ENDLESS: u64 = 1 << 18;
+
 /// Whoever watches a render. Called from any thread.
 pub trait Watch: Sync {
-    /// Whether to stop as soon as possible. Asked often: before each tile.
+    /// Whether to stop as soon as possible. Asked often: before each tile, and every thousand rays
+    /// of a sample.
     fn cancelled(&self) -> bool;
     /// Seconds since any fixed moment; never goes back.
     fn now(&self) -> f64;
@@ -171,22 +176,32 @@ pub fn render(
             let done = done.fetch_add(samples, Ordering::Relaxed) + samples;
             watch.progress(done, total.max(done));
         };
+        let pass_begun = watch.now();
+        // A sample that is done soon is waited for.
+        let late = AtomicBool::new(false);
+        let over = || settings.until.time().is_some_and(|time| seconds() >= time);
         let job = Job {
             seed: settings.seed,
             samples: samples.clone(),
             tiles: &left.tiles,
             taken: &taken,
-            cancelled: &|| watch.cancelled(),
+            cancelled: &|followed| {
+                let is_late = followed >= ENDLESS && over();
+                late.fetch_or(is_late, Ordering::Relaxed);
+                watch.cancelled() || late.load(Ordering::Relaxed)
+            },
             advance: &advance,
         };
-        let pass_begun = watch.now();
         let sums = integrator.pass(world, &job);
         let finished = sums.iter().flatten().count();
         let first = start == taken.first();
         // The tiles that were finished are dropped, so that those at work have the same samples;
         // but not in the first pass, where they are all there is.
         if finished < sums.len() && !first {
-            break Stopped::Interrupted { tiles: None };
+            break match late.into_inner() {
+                true => Stopped::Time,
+                false => Stopped::Interrupted { tiles: None },
+            };
         }
         for (tile, sums) in left.tiles.iter().zip(sums) {
             if let Some(sums) = sums {

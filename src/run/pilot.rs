@@ -62,7 +62,7 @@ pub fn pilot(world: &World, integrator: &Integrator, seed: u64, now: &dyn Fn() -
             samples: range.clone(),
             tiles,
             taken,
-            cancelled: &|| false,
+            cancelled: &|_| false,
             advance: &|_| (),
         };
         for (tile, sums) in tiles.iter().zip(integrator.pass(world, &job)) {

@@ -77,6 +77,14 @@ impl Until {
             Self::Schedule(ends) => follow(ends, taken),
         }
     }
+
+    /// Seconds after which the picture is done, if they count.
+    pub(super) fn time(&self) -> Option<f64> {
+        match self {
+            Self::Rule(rule) => rule.time,
+            Self::Schedule(_) => None,
+        }
+    }
 }
 
 /// The tiles that are furthest behind take samples up to the next number that ends a tile.

@@ -61,6 +61,41 @@ fn what_is_done_is_written_and_the_rest_is_left() {
     }
 }
 
+/// From inside of a white ball no path comes out: each sample takes about a second.
+const ENDLESS: &str = "\
+scn 1 in m
+film: { size: (4, 4) }
+camera: perspective { eye: (0, 0, 0), look_at: (0, 0, -1), fov_y: 40 deg }
+integrator: path { roulette: off, depth: 1000000, next_event: off }
+stop: { samples: 1 }
+object ball: sphere { center: (0, 0, 0), radius: 1 m, material: diffuse { albedo: 1 } }
+light sky: constant { radiance: 1 W/m^2/sr }
+";
+
+#[test]
+fn a_long_sample_is_given_up() {
+    let bench = Bench::new();
+    bench.put("endless.scn", ENDLESS);
+    let mut child = bench
+        .command("render endless.scn --log json")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
+    let began = lines.by_ref().any(|line| line.unwrap().contains("\"event\":\"rendering\""));
+    assert!(began);
+    send("-INT", &child);
+    let mut said = String::new();
+    child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{said}");
+    assert!(said.contains("once more ends at once"), "{said}");
+    assert_eq!(bench.files(), ["ball.scn", "endless.scn"]);
+
+    // The time ends it as well.
+    bench.run("render endless.scn -q --time 10ms").ends(130);
+}
+
 #[test]
 fn a_second_one_ends_at_once_and_leaves_nothing_half_written() {
     let bench = Bench::new();

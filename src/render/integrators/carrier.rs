@@ -25,7 +25,19 @@ pub struct Carrier<'w> {
     pub object: Option<u32>,
     /// Rays that wait to be followed; kept from sample to sample, for its memory.
     pub(super) waiting: Vec<Branch>,
+    /// Rays of this sample that were to be followed.
+    followed: u64,
+    /// Whether to give up a sample that has followed so many rays; asked now and then.
+    pub give_up: Option<&'w GiveUp<'w>>,
+    /// The sample was given up: what it found is no sample.
+    pub given_up: bool,
 }
+
+/// Whether to give up a sample, by the rays that it has followed.
+pub type GiveUp<'w> = dyn Fn(u64) -> bool + Sync + 'w;
+
+/// Rays of a sample between two questions whether to go on: some hundred microseconds.
+const PATIENCE: u64 = 1024;
 
 /// A ray that light is followed along, backwards, and what is known of the way so far.
 #[derive(Clone, Copy, Debug)]
@@ -72,6 +84,9 @@ impl<'w> Carrier<'w> {
             traced: None,
             object: None,
             waiting: Vec::new(),
+            followed: 0,
+            give_up: None,
+            given_up: false,
         }
     }
 
@@ -81,6 +96,7 @@ impl<'w> Carrier<'w> {
         self.layers.fill(Rgb::BLACK);
         self.object = None;
         self.waiting.clear();
+        self.followed = 0;
         if let Some(traced) = &mut self.traced {
             traced.clear();
         }
@@ -100,6 +116,16 @@ impl<'w> Carrier<'w> {
     /// A ray goes on behind an event, and is followed later; not if nothing is shown of its path,
     /// however it goes on.
     pub(super) fn follow(&mut self, branch: Branch, event: Event, hit: &Hit) {
+        self.followed += 1;
+        if self.followed.is_multiple_of(PATIENCE)
+            && self.give_up.is_some_and(|give_up| give_up(self.followed))
+        {
+            self.given_up = true;
+            self.waiting.clear();
+            // The next one is not followed either.
+            self.followed -= 1;
+            return;
+        }
         let trail = self.after(branch.trail, event, hit);
         if !self.paths.is_some_and(|paths| paths.is_dead(trail.state)) {
             self.waiting.push(Branch { trail, ..branch });

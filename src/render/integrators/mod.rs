@@ -9,7 +9,7 @@ mod preview;
 mod roulette;
 mod traced;
 
-pub use carrier::Carrier;
+pub use carrier::{Carrier, GiveUp};
 pub use direct::{Ambient, Direct};
 pub use lighting::{AreaLights, Lighting};
 pub use path::{Path, Splits};
