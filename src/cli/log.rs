@@ -108,7 +108,9 @@ impl Error {
 
     fn told(&self) -> String {
         let [error, low, high] = [self.error, self.low, self.high].map(percent);
-        if self.bound {
+        if self.high == 0.0 {
+            format!("{error}: no two samples of a pixel differ")
+        } else if self.bound {
             format!("at most about {error}, by the spread of single samples")
         } else {
             format!("{error}, with 95 % confidence {low} to {high}")

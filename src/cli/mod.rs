@@ -60,6 +60,12 @@ enum End {
     Interrupted,
 }
 
+/// Tells why a command cannot do its work.
+fn failed(text: &str) -> End {
+    terminal::fail(text);
+    End::NotDone
+}
+
 impl From<End> for ExitCode {
     fn from(end: End) -> Self {
         Self::from(match end {

@@ -13,7 +13,7 @@ use super::near::listed;
 use super::options::{Form, Render};
 use super::output::Output;
 use super::replay::{self, Replay};
-use super::{End, bias, check, scene_file, stop, terminal};
+use super::{End, bias, check, failed, scene_file, stop, terminal};
 use crate::diag::{self, Diagnostic, Level, Sources};
 use crate::files::hold::Held;
 use crate::load::{Loader, Stage};
@@ -366,10 +366,4 @@ impl<'a> Session<'a> {
         }
         self.told.extend(new);
     }
-}
-
-/// Tells why the command cannot do its work.
-fn failed(text: &str) -> End {
-    terminal::fail(text);
-    End::NotDone
 }

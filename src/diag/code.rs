@@ -83,6 +83,7 @@ codes! {
     LINT_COLOUR_CUT = "lint/colour-cut";
     LINT_DARK_LIGHT = "lint/dark-light";
     LINT_EMPTY_LAYER = "lint/empty-layer";
+    LINT_EMPTY_PICTURE = "lint/empty-picture";
     LINT_ENCLOSED = "lint/enclosed";
     LINT_EXPOSURE = "lint/exposure";
     LINT_HIDDEN_BY_PLANE = "lint/hidden-by-plane";
@@ -173,6 +174,7 @@ codes! {
     NAME_UNKNOWN_WORD = "name/unknown-word";
     NAME_UNWANTED_NAME = "name/unwanted-name";
     NAME_WHICH_VARIANT = "name/which-variant";
+    PATHS_DEAD_PART = "paths/dead-part";
     PATHS_LAYER_NAME = "paths/layer-name";
     PATHS_NO_PATH = "paths/no-path";
     PATHS_OTHERS_TWICE = "paths/others-twice";

@@ -2,6 +2,7 @@
 //!
 //! A new one is a [`Kind`], and a function that finds it.
 
+use super::paths::Chosen;
 use super::survey::Survey;
 use super::{dispersion, spectra};
 use crate::diag::Span;
@@ -101,13 +102,16 @@ pub fn biases(stage: &Stage) -> Vec<Bias> {
     all.extend(lamp_centres(&survey, integrator));
     all.extend(spectra::biases(&survey));
     all.extend(dispersion::biases(stage, &survey));
-    all.extend(some_paths(integrator));
+    all.extend(some_paths(&survey, integrator));
     all
 }
 
-/// None if all paths are shown.
-fn some_paths(integrator: &At<Integrator>) -> Option<Bias> {
+/// None if all paths are shown that there can be.
+fn some_paths(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
     let shown = integrator.paths()?;
+    if Chosen::of_survey(survey).is_some_and(|chosen| chosen.all) {
+        return None;
+    }
     Some(Bias {
         kind: Kind::Paths,
         setting: format!("`paths: \"{}\"`", shown.expression),
@@ -278,17 +282,24 @@ fn never_met(survey: &Survey, integrator: &At<Integrator>) -> Option<Bias> {
 /// lights are not asked, all of their light is missing, and that is told.
 fn caustics(survey: &Survey, integrator: &At<Integrator>) -> Vec<Bias> {
     let Integrator::Path(path) = &integrator.value else { return Vec::new() };
-    let (Some(mirror), Some(lit)) = (survey.specular(), survey.brightest()) else {
+    let (mirrors, Some(lit)) = (survey.mirrors(), survey.brightest()) else {
         return Vec::new();
     };
-    let mirror = &*mirror.material.name;
+    let (mirrors, send) = match mirrors.as_slice() {
+        [] => return Vec::new(),
+        [one] => (format!("`{one}`"), "sends"),
+        [first, second] => (format!("`{first}` and `{second}`"), "send"),
+        [first, second, rest @ ..] => {
+            (format!("`{first}`, `{second}` and {} more", rest.len()), "send")
+        }
+    };
     let sharp = survey.sharp.iter().filter(|_| path.next_event.0);
     let bias = |light: &str| Bias {
         kind: Kind::Caustics,
-        setting: format!("`light {light}` and `{mirror}` under `path`"),
+        setting: format!("`light {light}` and {mirrors} under `path`"),
         at: integrator.span,
         effect: format!(
-            "light of `{light}`, which has no extent, that `{mirror}` sends to surfaces such as \
+            "light of `{light}`, which has no extent, that {mirrors} {send} to surfaces such as \
              `{}` is never found",
             *lit.object.name
         ),

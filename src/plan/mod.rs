@@ -11,9 +11,11 @@ mod survey;
 mod features;
 mod spectra;
 mod dispersion;
+mod paths;
 mod bias;
 pub mod errors;
 
 pub use bias::{Bias, Kind, biases};
 pub use features::{Answer, Feature, Need, Plan};
+pub use paths::{Chosen, Unmet};
 pub use textures::{largest, largest_of};

@@ -108,6 +108,18 @@ impl<'a> Survey<'a> {
         self.surfaces.iter().find(|surface| !surface.material.value.scatters())
     }
 
+    /// The names of all materials that mirror or refract, each once.
+    pub fn mirrors(&self) -> Vec<&'a str> {
+        let mut names = Vec::new();
+        for surface in self.surfaces.iter().filter(|it| !it.material.value.scatters()) {
+            let name = surface.material.name.value.as_str();
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        names
+    }
+
     /// The name of something that surfaces are lit by when they ask for light.
     pub fn asked(&self, integrator: &scene::Integrator) -> Option<&'a At<String>> {
         let around = self.surroundings.first().filter(|_| integrator.asks_surroundings());

@@ -134,6 +134,12 @@ pub(super) fn plain(
 }
 
 impl Plain {
+    /// How many of them shine.
+    pub(super) fn shining(&self) -> usize {
+        let days = self.days.iter().filter(|day| day.shines(true)).count();
+        self.sharp.len() + self.surroundings.len() + days
+    }
+
     /// Adds what is made of a point that shines, if it does, and is not too far away.
     fn bulb(
         &mut self,

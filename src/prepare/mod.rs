@@ -97,8 +97,7 @@ pub struct Summary {
     pub other_shapes: u64,
     /// Materials in use.
     pub materials: u64,
-    /// Lights that are followed: those without extent, lamps, and the background where it is
-    /// asked for.
+    /// Lights and lamps that shine, asked or only met.
     pub lights: u64,
     /// Triangles dropped, since they have no area in single precision.
     pub slivers: u64,
@@ -208,6 +207,7 @@ fn assemble(
 
 fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepared {
     let shapes::Assembled { shapes, lamps, objects, slivers } = parts.shapes;
+    let shining = parts.lights.shining() + lamps.len();
     let other_shapes: u64 = objects.iter().map(|object| object.others).sum();
     let geometry = Geometry::build(shapes)
         .with_coordinates(plan.builds(Feature::Coordinates))
@@ -233,7 +233,7 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         triangles,
         other_shapes,
         materials: parts.materials.all.len() as u64,
-        lights: lights.all.len() as u64,
+        lights: shining as u64,
         slivers,
         bytes,
         texture_bytes: textures::bytes(stage),

@@ -7,6 +7,7 @@ use super::vocabulary::vocabulary;
 use super::{
     At, Index, Medium, Named, Number, Radiance, Ref, Reflectance, Scene, Texture, Textured,
 };
+use crate::math::paths::Event;
 
 vocabulary! {
     /// What a surface does with light.
@@ -107,6 +108,16 @@ impl Material {
     /// Whether light goes through it.
     pub fn transmits(&self) -> bool {
         matches!(self, Self::Dielectric(_))
+    }
+
+    /// What it does with light; of a mixture its parts say it.
+    pub fn events(&self) -> &'static [Event] {
+        match self {
+            Self::Conductor(_) | Self::Mirror(_) => &[Event::SpecularReflection],
+            Self::Dielectric(_) => &[Event::SpecularReflection, Event::SpecularTransmission],
+            Self::Diffuse(_) => &[Event::DiffuseReflection],
+            Self::Mix(_) => &[],
+        }
     }
 
     /// Whether light leaves it in all directions, and not in one alone.

@@ -78,7 +78,7 @@ fn people_read_what_was_done() {
     for words in [
         "ball.scn: 1 render, loaded in",
         "left\n",
-        "2 other shapes, 1 material, 1 light",
+        "2 other shapes, 1 material, 2 lights",
         "8 × 8, 4 rays a pixel",
         "256 rays",
         "wrote     out/ball/left.exr",

@@ -123,6 +123,7 @@ fn drawings_are_written_and_paths_listed() {
 #[test]
 fn what_cannot_be_drawn_is_told() {
     let bench = bench();
+    bench.put("kept", "a note");
     for (arguments, words) in [
         ("paths mirror.scn --pixel 24,0", "there is no pixel 24,0 in a picture of 24 × 18"),
         ("paths mirror.scn --pixel 24", "write two whole numbers, column and row"),
@@ -131,6 +132,10 @@ fn what_cannot_be_drawn_is_told() {
         ("paths ball.scn --pixel 1,1", "`ball.scn` has 2 renders\n  write which one"),
         ("paths ball.scn lft --pixel 1,1", "did you mean `left`?"),
         ("paths mirror.scn --pixel 1,1 -o a.exr", "drawings are written as .png and .svg"),
+        ("paths mirror.scn --pixel 1,1 -o mirror.scn", "as .png and .svg, not as .scn"),
+        ("paths mirror.scn --pixel 1,1 -o .svg", "needs a name before .svg"),
+        ("paths mirror.scn --pixel 1,1 -o kept", "something of this name that is no folder"),
+        ("paths mirror.scn --pixel 1,1 -o /dev/null", "something of this name that is no folder"),
         ("paths mirror.scn --pixel 1,1 --over none.png", "the picture `none.png`"),
         ("paths mirror.scn --pixel 1,1 --over mirror.scn", "is neither .exr nor .png"),
         ("paths mirror.scn --pixel 1,1 --samples 0", "write a whole number from 1 to 16777216"),
@@ -162,7 +167,17 @@ fn layers_go_through_checkpoints_parts_and_comparisons() {
     }
     bench.run("merge p.1-of-2.part p.2-of-2.part -q -o merged.exr").well();
     assert!(layers("merged.exr") == whole);
-    bench.run("compare kept.exr merged.exr").well();
+    let run = bench.run("compare kept.exr merged.exr").well();
+    let words = run.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+    let layers = "--layer NAME compares a layer: caustics, direct, rest.";
+    assert!(words.contains(layers), "{}", run.stdout);
+    let run = bench.run("compare kept.exr merged.exr --layer caustics --format json").well();
+    let told: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(told["settings"]["layer"], "caustics");
+    let run = bench.run("compare kept.exr merged.exr --layer caustic").ends(2);
+    run.says("has no layer `caustic`\n  it has caustics, direct, error, rest");
+    // A layer is less light than all.
+    bench.run("compare whole.exr whole.exr --layer direct --fail-if relmse>0").well();
 
     // A layer more is another picture to go on with.
     bench.put(
@@ -172,4 +187,42 @@ fn layers_go_through_checkpoints_parts_and_comparisons() {
     std::fs::rename(bench.path("kept.checkpoint"), bench.path("more.checkpoint")).unwrap();
     let run = bench.run("render more.scn -q --samples 200 --resume -o more.exr").ends(2);
     run.says("is of another render");
+}
+
+#[test]
+fn layers_have_names_that_channels_can_have() {
+    let bench = bench();
+    for (names, words) in [
+        (["error", "b"], "a layer cannot be called `error`"),
+        (["error.R", "b"], "a layer cannot be called `error.R`"),
+        (["samples.Y", "b"], "a layer cannot be called `samples.Y`"),
+        (["R", "b"], "a layer cannot be called `R`"),
+        (["a.g", "b"], "a layer cannot be called `a.g`"),
+        (["a..b", "b"], "`a..b` cannot be the name of a layer"),
+        (["all", "All"], "the layers `all` and `All` differ by case alone"),
+    ] {
+        let [a, b] = names;
+        let layers = format!(
+            "layer \"{a}\": paths {{ only: \"L D E\" }}\nlayer \"{b}\": paths {{ only: others }}\n"
+        );
+        let without = MIRROR.lines().filter(|line| !line.starts_with("layer"));
+        let text = without.chain(layers.lines()).collect::<Vec<_>>().join("\n");
+        bench.put("named.scn", format!("{text}\n"));
+        let told = bench.run("lint named.scn --select paths").ends(1).stdout;
+        assert!(told.contains(words), "no {words:?} in:\n{told}");
+    }
+}
+
+#[test]
+fn a_picture_of_all_paths_that_there_are_is_not_biased() {
+    let bench = bench();
+    let run = |paths: &str| {
+        let set = format!("integrator.paths=\"{paths}\"");
+        let mut command = bench.command("render mirror.scn -q --samples 1 --unbiased --set");
+        command.arg(set).output().unwrap().status.code()
+    };
+    assert_eq!(run("L .* E"), Some(0));
+    // There is nothing glossy.
+    assert_eq!(run("L (D | S)* E"), Some(0));
+    assert_eq!(run("L S* D E"), Some(1));
 }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::Refusal;
+use crate::cli::near::listed;
 use crate::files::{self, Metadata};
 use crate::math::Picture;
 use crate::measure::{Pair, Unpaired};
@@ -19,6 +20,8 @@ pub struct Input {
     /// Whether its pixels are radiance of any range (EXR), not what a display shows (PNG).
     pub radiance: bool,
     pub words: Metadata,
+    /// What layers its file has.
+    pub layers: Vec<String>,
     /// Where the picture lies in its film, if it is a part of one.
     part: Option<Part>,
 }
@@ -31,26 +34,41 @@ struct Part {
 }
 
 impl Input {
-    /// Reads an EXR or a PNG.
-    pub fn read(path: &Path) -> Result<Self, Refusal> {
+    /// Reads an EXR or a PNG; of an EXR the layer of this name, or all light.
+    pub fn read(path: &Path, layer: Option<&str>) -> Result<Self, Refusal> {
         let shown = shown(path);
         let refuse = |failure: files::Failure| format!("`{shown}` {failure}");
-        let of = |picture, radiance, words, part| Self {
+        let of = |picture, radiance, words| Self {
             path: path.to_path_buf(),
             name: String::new(),
             picture,
             radiance,
             words,
-            part,
+            layers: Vec::new(),
+            part: None,
         };
         if has_ending(path, "exr") {
-            let (layers, words) = files::exr::read(path).map_err(refuse)?;
-            let part = Part { film: layers.film, origin: layers.origin };
-            let whole = part.film == [layers.main.width, layers.main.height];
-            Ok(of(layers.main, true, words, (!whole).then_some(part)))
+            let (all, words) = files::exr::read(path).map_err(refuse)?;
+            let part = Part { film: all.film, origin: all.origin };
+            let whole = part.film == [all.main.width, all.main.height];
+            let layers: Vec<String> = all.named.iter().map(|(name, _)| name.clone()).collect();
+            let picture = match layer {
+                None => all.main,
+                Some(layer) => {
+                    let found = all.named.into_iter().find(|(name, _)| name == layer);
+                    found
+                        .map(|(_, picture)| picture)
+                        .ok_or_else(|| no_layer(&shown, layer, &layers))?
+                }
+            };
+            let part = (!whole).then_some(part);
+            Ok(Self { layers, part, ..of(picture, true, words) })
         } else if has_ending(path, "png") {
+            if layer.is_some() {
+                return Err(format!("`{shown}` is a PNG, which has no layers: --layer takes EXR"));
+            }
             let (picture, words) = files::png::read(path).map_err(refuse)?;
-            Ok(of(picture, false, words, None))
+            Ok(of(picture, false, words))
         } else {
             Err(format!("`{shown}` ends neither in .exr nor in .png, the pictures that are read"))
         }
@@ -103,6 +121,17 @@ impl Input {
             }
         }
     }
+}
+
+/// A layer that a file does not have.
+fn no_layer(shown: &str, layer: &str, layers: &[String]) -> Refusal {
+    let names: Vec<&str> = layers.iter().map(String::as_str).collect();
+    let has = match names.as_slice() {
+        [] => "it has none".to_string(),
+        names => format!("it has {}", listed(names)),
+    };
+    let layer = super::remarks::harmless(layer);
+    format!("`{shown}` has no layer `{layer}`\n  {}", super::remarks::harmless(&has))
 }
 
 /// Names each by its file, or by its whole path where files of several folders are called alike.

@@ -12,7 +12,7 @@ use crate::measure::{MAPE_EPSILON, METRICS};
 struct Whole<'a> {
     version: &'static str,
     reference: File<'a>,
-    settings: Settings,
+    settings: Settings<'a>,
     pictures: Vec<Judged<'a>>,
     conditions: Vec<Condition>,
     differing: BTreeMap<&'a str, Vec<Option<&'a str>>>,
@@ -29,7 +29,8 @@ struct File<'a> {
 }
 
 #[derive(Serialize)]
-struct Settings {
+struct Settings<'a> {
+    layer: Option<&'a str>,
     relmse_epsilon: f64,
     mape_epsilon: f64,
     pixels_per_degree: f64,
@@ -74,6 +75,7 @@ pub fn json(comparison: &Comparison) -> String {
         version: env!("CARGO_PKG_VERSION"),
         reference: file(comparison.reference),
         settings: Settings {
+            layer: comparison.layer,
             relmse_epsilon: comparison.settings.epsilon,
             mape_epsilon: MAPE_EPSILON,
             pixels_per_degree: comparison.settings.pixels_per_degree,

@@ -30,6 +30,8 @@ struct Comparison<'a> {
     /// What they are judged against.
     reference: &'a Input,
     settings: measure::Settings,
+    /// The layer that is compared, in place of all light.
+    layer: Option<&'a str>,
     /// Each condition with each picture it was tried on, and its figure there.
     conditions: Vec<Tried<'a>>,
     /// The difference picture, where one was asked for.
@@ -76,7 +78,8 @@ fn compare(options: &Compare) -> Result<End, Vec<Refusal>> {
     if let Some(path) = &options.output {
         check_output(path, &options.files()).map_err(|refusal| vec![refusal])?;
     }
-    let inputs = read(&options.files())?;
+    let layer = options.layer.as_deref();
+    let inputs = read(&options.files(), layer)?;
     let (reference, tests) = inputs.split_last().ok_or_else(Vec::new)?;
     let settings = measure::Settings {
         epsilon: epsilon(options.epsilon, tests).map_err(|refusal| vec![refusal])?,
@@ -109,7 +112,7 @@ fn compare(options: &Compare) -> Result<End, Vec<Refusal>> {
         })
     });
     let conditions = conditions.collect();
-    let comparison = Comparison { tests, reference, settings, conditions, difference };
+    let comparison = Comparison { tests, reference, settings, layer, conditions, difference };
     match options.format {
         Form::Human => terminal::say(&report::human(&comparison, terminal::stdout_look().width)),
         Form::Json => terminal::say(&json::json(&comparison)),
@@ -165,11 +168,11 @@ fn undefined(metric: &Metric, comparison: &Comparison) -> &'static str {
 }
 
 /// Reads all files; tells of every one that cannot be read.
-fn read(paths: &[&PathBuf]) -> Result<Vec<Input>, Vec<Refusal>> {
+fn read(paths: &[&PathBuf], layer: Option<&str>) -> Result<Vec<Input>, Vec<Refusal>> {
     let mut inputs = Vec::new();
     let mut refusals: Vec<Refusal> = Vec::new();
     for path in paths {
-        match Input::read(path) {
+        match Input::read(path, layer) {
             Ok(input) => inputs.push(input),
             Err(refusal) if refusals.contains(&refusal) => {}
             Err(refusal) => refusals.push(refusal),

@@ -16,6 +16,7 @@ Examples:
   scn compare fast.exr slow.exr                       fast.exr against slow.exr
   scn compare new.exr old.exr --reference truth.exr   each of the two against truth.exr
   scn compare a.exr b.exr -o diff.png                 where they differ, as an eye sees it
+  scn compare a.exr b.exr --layer caustics            one of their layers
   scn compare a.exr truth.exr --epsilon own           as the error that a.exr states is defined
   scn compare a.exr b.exr --fail-if 'relmse > 0.01' --fail-if 'flip_hdr > 0.05'
 
@@ -36,6 +37,9 @@ pub struct Compare {
     /// Judge both A and B against this one
     #[arg(long, short, value_name = "R")]
     pub reference: Option<PathBuf>,
+    /// Compare this layer of the pictures, which are EXR, in place of the whole light
+    #[arg(long, value_name = "NAME")]
+    pub layer: Option<String>,
     /// The ε of relmse, which keeps dark pixels from counting without bound: a number, or `own`
     /// for the one that A's file states with its error
     #[arg(long, value_name = "E", default_value_t = Epsilon::Number(RELMSE_EPSILON))]

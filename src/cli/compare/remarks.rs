@@ -2,6 +2,7 @@
 //! comparisons that mean less than they seem to.
 
 use super::{Comparison, input::Input};
+use crate::cli::near::listed;
 use crate::diag::harmless_text;
 use crate::files;
 
@@ -42,6 +43,16 @@ pub fn differences<'a>(inputs: &[&'a Input]) -> Vec<Difference<'a>> {
 pub fn notes(comparison: &Comparison) -> Vec<String> {
     let reference = comparison.reference;
     let mut notes = Vec::new();
+    let of_all = |layer: &&String| {
+        *layer != "error" && comparison.tests.iter().all(|it| it.input.layers.contains(layer))
+    };
+    let layers: Vec<&str> = reference.layers.iter().filter(of_all).map(String::as_str).collect();
+    if comparison.layer.is_none() && !layers.is_empty() {
+        notes.push(format!(
+            "all light is compared; --layer NAME compares a layer: {}.",
+            harmless(&listed(&layers))
+        ));
+    }
     for judged in &comparison.tests {
         let input = judged.input;
         let both = |key| input.word(key).zip(reference.word(key));

@@ -1,6 +1,7 @@
 //! The figures for a person: one column a picture.
 
 use super::input::shown;
+use super::remarks::harmless;
 use super::{Comparison, remarks, undefined};
 use crate::diag::print::wrapped;
 use crate::measure::METRICS;
@@ -11,8 +12,10 @@ const DIGITS: i32 = 4;
 /// The report, ready to print; its notes in lines of `width` characters.
 pub fn human(comparison: &Comparison, width: usize) -> String {
     let picture = &comparison.reference.picture;
+    let layer =
+        comparison.layer.map_or(String::new(), |layer| format!(", the layer {}", harmless(layer)));
     let mut text = format!(
-        "Against {}, {} × {} pixels\n\n",
+        "Against {}, {} × {} pixels{layer}\n\n",
         comparison.reference.name, picture.width, picture.height
     );
     text.push_str(&table(comparison));

@@ -6,7 +6,7 @@ mod drawing;
 mod report;
 
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::time::Instant;
 
 pub use options::Paths;
@@ -16,7 +16,7 @@ use super::clock::Clock;
 use super::log::shown;
 use super::near::listed;
 use super::options::Form;
-use super::{End, scene_file, terminal, whose};
+use super::{End, failed, scene_file, terminal, whose};
 use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
 use crate::files::{self, Failure, Metadata};
 use crate::load::{Loader, Stage};
@@ -32,11 +32,6 @@ pub const DRAWING: &str = "paths";
 
 pub fn run(options: &Paths) -> End {
     paths(options).err().unwrap_or(End::Well)
-}
-
-fn failed(text: &str) -> End {
-    terminal::fail(text);
-    End::NotDone
 }
 
 fn paths(options: &Paths) -> Result<(), End> {
@@ -213,18 +208,30 @@ impl Files {
             let stem = options.file.file_stem().unwrap_or(OsStr::new("scene"));
             return Ok(both(Path::new("out").join(stem).join(format!("{render}.paths"))));
         };
-        let (folder, shown) = (files::whole::is_folder(path), shown(path));
-        if folder || path.file_name().is_none() || shown.ends_with(['/', '\\']) {
+        let shown = shown(path);
+        if path.as_os_str().is_empty() {
+            return Err("-o needs a name, of a file or of a folder".to_string());
+        }
+        if files::whole::is_folder(path) || shown.ends_with(['/', MAIN_SEPARATOR]) {
             return Ok(both(path.join(format!("{render}.paths"))));
+        }
+        let bare = path.file_name().and_then(OsStr::to_str);
+        if let Some(ending @ (".png" | ".svg")) = bare.map(str::to_lowercase).as_deref() {
+            return Err(format!("-o {shown}: a drawing needs a name before {ending}"));
         }
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         match ending.as_deref() {
             Some("png") => Ok(Self { png: Some(path.clone()), svg: None }),
             Some("svg") => Ok(Self { png: None, svg: Some(path.clone()) }),
-            Some(ending @ ("exr" | "jpg" | "jpeg" | "pdf" | "gif" | "webp")) => {
-                Err(format!("-o {shown}: drawings are written as .png and .svg, not as .{ending}"))
-            }
-            _ => Ok(both(path.clone())),
+            Some(ending) => Err(format!(
+                "-o {shown}: drawings are written as .png and .svg, not as .{ending}\n  if it is \
+                 the name of a folder, write it as `{shown}/`"
+            )),
+            None if path.exists() => Err(format!(
+                "-o {shown}: there is something of this name that is no folder\n  write \
+                 `{shown}.png` or `{shown}.svg` for a drawing beside it"
+            )),
+            None => Ok(both(path.clone())),
         }
     }
 

@@ -15,7 +15,7 @@ use super::clock::Clock;
 use super::log::shown;
 use super::options::Form;
 use super::words::counted;
-use super::{End, limits, scene_file, terminal, whose};
+use super::{End, failed, limits, scene_file, terminal, whose};
 use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
 use crate::files;
 use crate::load::{Loader, Stage};
@@ -118,11 +118,6 @@ pub fn run(options: &Plan) -> End {
         },
     };
     ended.err().unwrap_or(End::Well)
-}
-
-fn failed(text: &str) -> End {
-    terminal::fail(text);
-    End::NotDone
 }
 
 fn plan(options: &Plan) -> Result<(), End> {

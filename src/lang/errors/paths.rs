@@ -41,11 +41,12 @@ pub fn unreadable(
     let (headline, label, help) = told(fault.wrong, found);
     let code = match fault.wrong {
         Wrong::NoPath => Code::PATHS_NO_PATH,
+        Wrong::Dead => Code::PATHS_DEAD_PART,
         _ => Code::PATHS_UNREADABLE,
     };
     let at = inside.filter(|span| span.start < span.end).unwrap_or(whole);
     let mut told = Diagnostic::error(code, format!("{what}: {headline}")).label(at, label);
-    if fault.wrong == Wrong::NoPath {
+    if matches!(fault.wrong, Wrong::NoPath | Wrong::Dead) {
         told = told.why(
             "A path begins at the light, `L`, and ends at the eye, `E`; all between them are \
              scatterings.",
@@ -97,7 +98,7 @@ fn told(wrong: Wrong, found: &str) -> (String, &'static str, String) {
             "write a letter or a group before it: `D*`, `(S | G)+`".to_string(),
         ),
         Wrong::EndRepeated => (
-            format!("`{found}` repeats an end of the path"),
+            format!("`{found}` says how often, of a light or an eye"),
             "a path has one light and one eye",
             "write `*`, `+` and `?` behind scatterings".to_string(),
         ),
@@ -125,6 +126,12 @@ fn told(wrong: Wrong, found: &str) -> (String, &'static str, String) {
             format!("this path expression is longer than {MOST_LENGTH} bytes"),
             "too long",
             "write several layers, or a simpler expression".to_string(),
+        ),
+        Wrong::Dead => (
+            format!("`{found}` is on no path from `L` to `E`"),
+            "no path comes by here",
+            "take it away, or write its `L` and its `E`: `L (D | S) E` is `L D E | L S E`"
+                .to_string(),
         ),
         Wrong::NoPath => {
             ("no path of light is of this form".to_string(), "means no path", letters())

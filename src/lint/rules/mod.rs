@@ -8,6 +8,7 @@ mod coincident_surfaces;
 mod colour_cut;
 mod dark_light;
 mod empty_layer;
+mod empty_picture;
 mod enclosed;
 mod exposure;
 mod hidden_by_plane;
@@ -56,7 +57,8 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_COINCIDENT_SURFACES, look: Look::Render(coincident_surfaces::look) },
     Rule { code: Code::LINT_COLOUR_CUT, look: Look::Render(colour_cut::look) },
     Rule { code: Code::LINT_DARK_LIGHT, look: Look::Renders(dark_light::look) },
-    Rule { code: Code::LINT_EMPTY_LAYER, look: Look::Render(empty_layer::look) },
+    Rule { code: Code::LINT_EMPTY_LAYER, look: Look::Renders(empty_layer::look) },
+    Rule { code: Code::LINT_EMPTY_PICTURE, look: Look::Renders(empty_picture::look) },
     Rule { code: Code::LINT_ENCLOSED, look: Look::Render(enclosed::look) },
     Rule { code: Code::LINT_EXPOSURE, look: Look::Render(exposure::look) },
     Rule { code: Code::LINT_HIDDEN_BY_PLANE, look: Look::Render(hidden_by_plane::look) },

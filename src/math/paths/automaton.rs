@@ -2,7 +2,7 @@
 //!
 //! Its states are sets of positions, and those that no path can tell apart are one [Moore56].
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::Event;
 use super::expression::{Expression, Letters};
@@ -192,6 +192,21 @@ impl Automaton {
     /// Whether a path can go to this layer.
     pub fn layer_is_used(&self, layer: u8) -> bool {
         self.ends.contains(&End::Layer(layer))
+    }
+
+    /// Where paths of these events can go, of those that `other` shows.
+    pub fn ends(&self, events: &[Event], other: &Self) -> Vec<End> {
+        let mut ends = Vec::new();
+        let mut states = vec![(Self::START, Self::START)];
+        let mut known: HashSet<(u16, u16)> = states.iter().copied().collect();
+        while let Some((own, others)) = states.pop() {
+            if other.end(others) != End::Outside && !ends.contains(&self.end(own)) {
+                ends.push(self.end(own));
+            }
+            let next = events.iter().map(|at| (self.after(own, *at), other.after(others, *at)));
+            states.extend(next.filter(|next| !other.is_dead(next.1) && known.insert(*next)));
+        }
+        ends
     }
 
     /// How many states there are.

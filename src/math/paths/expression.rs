@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 use std::ops::Range;
 
 use super::automaton::{Automaton, Which};
-use super::parse;
+use super::{dead, parse};
 
 /// The longest text, in bytes.
 pub const MOST_LENGTH: usize = 1000;
@@ -39,7 +39,7 @@ pub enum Wrong {
     Empty,
     /// A `*`, `+` or `?` behind nothing.
     NothingRepeated,
-    /// A `*`, `+` or `?` behind `L` or `E`, of which a path has one.
+    /// A `*`, `+` or `?` behind `L` or `E`, of which a path has one, or a group with one of them.
     EndRepeated,
     /// A second `*`, `+` or `?`.
     TwoSigns,
@@ -53,6 +53,8 @@ pub enum Wrong {
     TooLong,
     /// No path is meant: none begins with `L` and ends with `E`.
     NoPath,
+    /// Letters that stand on none of the paths that are meant.
+    Dead,
 }
 
 /// Letters that may stand in one place: a bit for each of [`Event::ALL`](super::Event::ALL), then
@@ -187,12 +189,24 @@ impl Expression {
         if text.trim().is_empty() {
             return Err(whole(Wrong::Empty));
         }
-        let read = Self { root: parse::parse(text)? };
-        if read.means_something() {
-            return Ok(read);
+        let (root, letters) = parse::parse(text)?;
+        let read = Self { root };
+        if !read.means_something() {
+            let instead = read.nearest(text.trim());
+            return Err(vec![Fault { at: 0..text.len(), wrong: Wrong::NoPath, instead }]);
         }
-        let instead = read.nearest(text.trim());
-        Err(vec![Fault { at: 0..text.len(), wrong: Wrong::NoPath, instead }])
+        // Letters that stand beside each other are told together.
+        let mut faults: Vec<Fault> = Vec::new();
+        let mut previous = None;
+        for number in dead::dead(&read) {
+            let at = letters[number].clone();
+            match faults.last_mut() {
+                Some(fault) if previous == number.checked_sub(1) => fault.at.end = at.end,
+                _ => faults.push(Fault { at, wrong: Wrong::Dead, instead: None }),
+            }
+            previous = Some(number);
+        }
+        if faults.is_empty() { Ok(read) } else { Err(faults) }
     }
 
     /// Whether there is a path that it means.
@@ -202,7 +216,7 @@ impl Expression {
     }
 
     /// What may have been meant by an expression that means no path: its ends may be missing, or
-    /// it was written from the eye to the light.
+    /// stand in the first and the last alternative, or it was written from the eye to the light.
     fn nearest(&self, text: &str) -> Option<String> {
         let bare = match self.root {
             Node::Either(_) => format!("({text})"),
@@ -210,11 +224,24 @@ impl Expression {
         };
         let all = [
             self.root.reversed().to_string(),
+            self.ends_outside().unwrap_or_default(),
             format!("L {bare}"),
             format!("{bare} E"),
             format!("L {bare} E"),
         ];
-        all.into_iter()
-            .find(|text| parse::parse(text).is_ok_and(|root| Self { root }.means_something()))
+        all.into_iter().find(|text| {
+            let read = parse::parse(text).map(|(root, _)| Self { root });
+            read.is_ok_and(|read| read.means_something() && dead::dead(&read).is_empty())
+        })
+    }
+
+    /// `L (D | S) E` of `L D | S E`.
+    fn ends_outside(&self) -> Option<String> {
+        let Node::Either(mut all) = self.root.clone() else { return None };
+        let Some(Node::Row(first)) = all.first_mut() else { return None };
+        (first.remove(0) == Node::One(Letters::LIGHT)).then_some(())?;
+        let Some(Node::Row(last)) = all.last_mut() else { return None };
+        (last.pop()? == Node::One(Letters::EYE)).then_some(())?;
+        Some(format!("L {} E", Node::Either(all)))
     }
 }

@@ -5,6 +5,7 @@
 //! which of several expressions it belongs.
 
 mod automaton;
+mod dead;
 mod expression;
 mod parse;
 mod positions;

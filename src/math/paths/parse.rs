@@ -9,12 +9,13 @@ use std::ops::Range;
 
 use super::expression::{Fault, Letters, MOST_DEPTH, Node, Sign, Wrong};
 
-/// The tree of a text; else all that is wrong with it, in the order of the text.
-pub(super) fn parse(text: &str) -> Result<Node, Vec<Fault>> {
-    let mut parser = Parser { text, at: 0, depth: 0, faults: Vec::new() };
+/// The tree of a text, and the bytes of its letters; else all that is wrong with it, in the order
+/// of the text.
+pub(super) fn parse(text: &str) -> Result<(Node, Vec<Range<usize>>), Vec<Fault>> {
+    let mut parser = Parser { text, at: 0, depth: 0, letters: Vec::new(), faults: Vec::new() };
     let root = parser.whole();
     if parser.faults.is_empty() {
-        return Ok(root);
+        return Ok((root, parser.letters));
     }
     if let Some(deep) = parser.faults.iter().position(|fault| fault.wrong == Wrong::TooDeep) {
         // What follows was not read.
@@ -28,6 +29,7 @@ struct Parser<'a> {
     text: &'a str,
     at: usize,
     depth: usize,
+    letters: Vec<Range<usize>>,
     faults: Vec<Fault>,
 }
 
@@ -115,8 +117,10 @@ impl Parser<'_> {
                 if count > 1 {
                     let instead = Some(sign.char().to_string());
                     self.fault(start..end, Wrong::TwoSigns, instead);
-                } else if atom == Node::One(Letters::LIGHT) || atom == Node::One(Letters::EYE) {
-                    let instead = anything(sign.char()).map(|it| format!(" {it}"));
+                } else if has_end(&atom) {
+                    let alone = matches!(atom, Node::One(_));
+                    let anything = anything(sign.char()).filter(|_| alone);
+                    let instead = anything.map(|it| format!(" {it}"));
                     self.fault(start..end, Wrong::EndRepeated, instead);
                 }
                 Node::Repeated(Box::new(atom), sign)
@@ -131,7 +135,10 @@ impl Parser<'_> {
         match first {
             '(' => self.group(from),
             '[' => self.bracket(from),
-            '.' => Node::One(Letters::ANY),
+            '.' => {
+                self.letters.push(from..self.at);
+                Node::One(Letters::ANY)
+            }
             _ => self.letter(from, first),
         }
     }
@@ -199,6 +206,7 @@ impl Parser<'_> {
             _ => None,
         };
         if let Some(letters) = Letters::named(written) {
+            self.letters.push(from..self.at);
             return Node::One(letters);
         }
         let wrong =
@@ -206,6 +214,15 @@ impl Parser<'_> {
         let letters = spelt.as_deref().and_then(Letters::named).unwrap_or(Letters::ANY);
         self.fault(from..self.at, wrong, spelt);
         Node::One(letters)
+    }
+}
+
+/// Whether there is a light or an eye in it.
+fn has_end(node: &Node) -> bool {
+    match node {
+        Node::One(letters) => *letters == Letters::LIGHT || *letters == Letters::EYE,
+        Node::Row(all) | Node::Either(all) => all.iter().any(has_end),
+        Node::Repeated(node, _) => has_end(node),
     }
 }
 

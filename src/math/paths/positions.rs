@@ -16,6 +16,10 @@ impl Set {
         self.0[position / 64] |= 1 << (position % 64);
     }
 
+    pub fn has(&self, position: usize) -> bool {
+        self.0[position / 64] >> (position % 64) & 1 == 1
+    }
+
     pub fn add(&mut self, other: &Self) {
         self.0.iter_mut().zip(&other.0).for_each(|(a, b)| *a |= b);
     }

@@ -67,6 +67,23 @@ fn the_first_layer_takes_a_path_and_others_the_rest() {
 }
 
 #[test]
+fn ends_are_those_of_paths_that_can_be() {
+    use Event::*;
+    let (layer, other) = (parsed("L G E"), parsed("L D S* E"));
+    let made = Automaton::new(None, &[Which::Only(&layer), Which::Only(&other)]).unwrap();
+    let all = Automaton::new(None, &[]).unwrap();
+    let mut ends = made.ends(&Event::ALL, &all);
+    ends.sort_by_key(|end| format!("{end:?}"));
+    assert_eq!(ends, [End::Layer(0), End::Layer(1), End::Picture]);
+    assert!(!made.ends(&[DiffuseReflection, SpecularTransmission], &all).contains(&End::Layer(0)));
+    let straight = Automaton::new(Some(&parsed("L S* E")), &[]).unwrap();
+    assert_eq!(made.ends(&Event::ALL, &straight), [End::Picture]);
+    let shown = Automaton::new(Some(&parsed("L (D | S)* E")), &[]).unwrap();
+    assert!(shown.ends(&Event::ALL, &all).contains(&End::Outside));
+    assert_eq!(shown.ends(&[DiffuseReflection, SpecularReflection], &all), [End::Picture]);
+}
+
+#[test]
 fn paths_that_nothing_can_take_are_dead_at_once() {
     let expression = parsed("L S* D E");
     let shown = Automaton::new(Some(&expression), &[]).unwrap();
@@ -124,6 +141,14 @@ fn faults_point_at_their_bytes_and_offer_what_was_meant() {
         ("D | S", "D | S", NoPath, Some("L (D | S) E")),
         ("E D (S_r|S_t S_t) L", "E D (S_r|S_t S_t) L", NoPath, Some("L (S_r | S_t S_t) D E")),
         ("L D E D", "L D E D", NoPath, None),
+        ("L | E", "L | E", NoPath, None),
+        ("L D | S E", "L D | S E", NoPath, Some("L (D | S) E")),
+        ("L D E | S", "S", Dead, None),
+        ("L D E | S S_r | L S E", "S S_r", Dead, None),
+        ("L (D E | S) S E", "D E", Dead, None),
+        ("L (. | E) D E", "E", Dead, None),
+        ("(L D)+ E", "+", EndRepeated, None),
+        ("L (D E)* E", "*", EndRepeated, None),
     ];
     for (text, at, wrong, instead) in cases {
         let faults = Expression::parse(text).expect_err(text);

@@ -16,14 +16,36 @@ pub fn bad_name(name: &At<String>) -> Diagnostic {
 }
 
 /// A name that the EXR has for something else.
-pub fn taken_name(name: &At<String>) -> Diagnostic {
+pub fn taken_name(name: &At<String>, taken: &str) -> Diagnostic {
     let headline = format!("a layer cannot be called `{}`", **name);
     Diagnostic::error(Code::PATHS_LAYER_NAME, headline)
         .label(name.span, "taken")
-        .why(match name.as_str() {
+        .why(match taken {
             "error" => "In the EXR of every render, `error` is the standard error of its pixels.",
             _ => "In the EXR of every render, `samples` are the samples of its pixels.",
         })
+        .help("choose another name")
+}
+
+/// A name with a part that names channels.
+pub fn channel_name(name: &At<String>, channel: &str) -> Diagnostic {
+    let headline = format!("a layer cannot be called `{}`", **name);
+    Diagnostic::error(Code::PATHS_LAYER_NAME, headline)
+        .label(name.span, format!("`{channel}` is a channel"))
+        .why(format!(
+            "The channels of a layer are `NAME.R`, `NAME.G` and `NAME.B` in the EXR: programs that \
+             read it would take `{channel}` for one of them."
+        ))
+        .help("choose another name")
+}
+
+/// Two names that differ by case alone.
+pub fn names_alike(second: &At<String>, first: &At<String>) -> Diagnostic {
+    let headline = format!("the layers `{}` and `{}` differ by case alone", **first, **second);
+    Diagnostic::error(Code::PATHS_LAYER_NAME, headline)
+        .label(second.span, "the same, for some programs")
+        .label(first.span, "one")
+        .why("Programs that read the EXR do not all tell them apart.")
         .help("choose another name")
 }
 
