@@ -5,8 +5,8 @@ from pathlib import Path
 
 
 def peak_memory(process):
-    """Bytes of physical memory at the peak so far; None if the system does not tell, or it has ended.
-    """
+    """Bytes of physical memory at the peak so far; None if the system does not tell, or if it has
+    ended."""
     try:
         told = re.search(r"VmHWM:\s*(\d+) kB", Path(f"/proc/{process}/status").read_text())
     except OSError:

@@ -35,8 +35,8 @@ WATCH = 0.002
 
 
 def run(command):
-    """Runs a program to its end: its stdout, seconds by the clock and of the processor, and bytes at
-    the peak or None."""
+    """Runs a program to its end: its stdout, seconds by the clock and of the processor, and bytes
+    at the peak or None."""
     begun, peak, status = time.perf_counter(), None, None
     with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as errors:
         child = subprocess.Popen(command, stdout=out, stderr=errors)
@@ -68,13 +68,13 @@ class Scn:
         out, *_ = run([self.binary, "--version"])
         return out.strip()
 
-    def command(self, folder, name, samples, seed, size):
+    def command(self, folder, name, samples, seed, size, *more):
         return [self.binary, "render", SCENES, "--only", name, "-o", folder, "--log", "json",
-                "--seed", str(seed), "--samples", str(samples), "--scale", repr(size / 512)]
+                "--seed", str(seed), "--samples", str(samples), "--scale", repr(size / 512), *more]
 
-    def render(self, name, samples, seed, size):
+    def render(self, name, samples, seed, size, *more):
         with tempfile.TemporaryDirectory() as folder:
-            out, _, cpu, peak = run(self.command(folder, name, samples, seed, size))
+            out, _, cpu, peak = run(self.command(folder, name, samples, seed, size, *more))
             events = [json.loads(line) for line in out.splitlines()]
             wall = next(e["seconds"] for e in events if e["event"] == "rendered")
             values = pictures.read(Path(folder) / f"{name}.exr")

@@ -52,8 +52,8 @@ class Reference:
         partial.replace(self.path)
 
     def told(self):
-        of = " and ".join(f"{count * BATCH} samples by {name}" for name, count in self.counts.items())
-        return f"{of}, relMSE {self.error:.5f}"
+        of = [f"{count * BATCH} samples by {name}" for name, count in self.counts.items()]
+        return f"{' and '.join(of)}, relMSE {self.error:.5f}"
 
 
 def improve(reference, renderers, wanted, say):

@@ -106,8 +106,8 @@ def reference(bench, name, size, wanted, say):
 
 
 def measure(bench, name, size, turns, budget, against, found, step, save):
-    """Renders by all programs in turn, each with about as many samples as reach the goal, or as many
-    as the budget of seconds allows."""
+    """Renders by all programs in turn, each with about as many samples as reach the goal, or as
+    many as the budget of seconds allows."""
     programs = bench.of(name)
     renderers, versions, close = bench.open(name, size, programs)
     found.setdefault("versions", {}).update(versions)

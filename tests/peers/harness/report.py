@@ -1,19 +1,14 @@
 """The measurements as a page of Markdown and a plot."""
 
-import statistics as middle
-
 from . import scenes
+from .aims import aims
 from .renders import GOAL
-from .statistics import mean_error
+from .rows import ratio, rows
 
 BEGIN, END = "<!-- peers: begin -->", "<!-- peers: end -->"
 PLOT = "pictures/peers.svg"
 NAMES = {"scn": "scn", "mitsuba llvm": "Mitsuba llvm", "mitsuba scalar": "Mitsuba scalar",
          "cycles": "Cycles", "luxcore": "LuxCore"}
-
-
-def median(values):
-    return middle.median(values) if values else None
 
 
 def figure(value, digits=2):
@@ -26,47 +21,18 @@ def figure(value, digits=2):
     return f"{value:.{places}f}"
 
 
-class Row:
-    """A program on a scene."""
-
-    def __init__(self, data, scene, program):
-        self.program = program
-        runs = data["renders"][scene]["runs"][program]
-        starts = data.get("start", {}).get(scene, {}).get(program, [])
-        self.start = median([run["wall"] for run in starts])
-        self.memory = median([run["peak"] for run in starts if run["peak"]])
-        self.samples = runs[0]["samples"]
-        self.wall = [run["wall"] for run in runs]
-        self.cpu = [self.rendering(run, starts) for run in runs]
-        million = [run["samples"] * data["size"] ** 2 / 1e6 for run in runs]
-        self.rate = median([of / wall for of, wall in zip(million, self.wall)])
-        self.rate_cpu = median([of / cpu for of, cpu in zip(million, self.cpu)])
-        # Both factors vary from turn to turn, the error by chance, the time by what else runs.
-        self.relmse, self.relmse_error = mean_error([run["relmse"] for run in runs])
-        self.to_goal = median(self.wall) * self.relmse / GOAL
-        self.to_goal_cpu = median(self.cpu) * self.relmse / GOAL
-
-    def rendering(self, run, starts):
-        """The processor's seconds of rendering alone. Scn's are a whole process's: what one that
-        renders a single sample needs is taken off."""
-        if self.program != "scn" or run["samples"] < 2 or not starts:
-            return run["cpu"]
-        one = median([start["cpu"] for start in starts])
-        share = run["samples"] / (run["samples"] - 1)
-        return max(run["cpu"] - one, 1e-3) * share
-
-
 def renders_table(data):
     yield ("| scene | program | samples | million samples a second | the same a CPU second "
-           "| relMSE there | seconds to .01 | CPU seconds to .01 | × scn's | whole process, 1 sample "
-           "| its memory |")
+           "| relMSE there | seconds to .01 | CPU seconds to .01 | × scn's | whole process, "
+           "1 sample | its memory |")
     yield "|" + " --- |" * 11
-    for scene, found in data["renders"].items():
-        rows = [Row(data, scene, program) for program in found["runs"]]
-        ours = rows[0]
-        for row in rows:
+    for scene in data["renders"]:
+        all_rows = rows(data, scene)
+        ours = all_rows[0]
+        for row in all_rows:
             spread = "" if row.relmse_error is None else f" ± {figure(row.relmse_error, 1)}"
-            times = f"{figure(row.to_goal / ours.to_goal)} ({figure(row.to_goal_cpu / ours.to_goal_cpu)})"
+            by_cpu = figure(row.to_goal_cpu / ours.to_goal_cpu)
+            times = f"{figure(row.to_goal / ours.to_goal)} ({by_cpu})"
             memory = "–" if row.memory is None else f"{row.memory / 1e6:.0f} MB"
             start = "–" if row.start is None else f"{figure(row.start)} s"
             title = scenes.scene(scene).title if row is ours else ""
@@ -86,11 +52,6 @@ def agree_table(data):
                    f"| {a['worst']:.2f} | {a['bound']:.2f} | {'yes' if a['agree'] else 'NO'} |")
 
 
-def ratio(one, other):
-    """Median over the turns of one's rays a second over the other's."""
-    return median([theirs / ours for ours, theirs in zip(one["seconds"], other["seconds"])])
-
-
 def rays_table(data):
     yield ("| scene | rays | scn, million a second | Embree | Embree robust | scn over Embree "
            "| over robust | hits apart |")
@@ -102,8 +63,17 @@ def rays_table(data):
             rates = [figure(kind["rays"] / 1e6 / min(p["seconds"]), 3) for p in (scn, fast, robust)]
             apart = (scn["hits"] - robust["hits"]) / max(1, kind["rays"])
             yield (f"| {name}, {found['triangles']:,} triangles | {kind['set']} | {rates[0]} "
-                   f"| {rates[1]} | {rates[2]} | {ratio(scn, fast):.2f} | {ratio(scn, robust):.2f} "
-                   f"| {1e6 * apart:+.0f} ppm |")
+                   f"| {rates[1]} | {rates[2]} | {ratio(programs, 'embree'):.2f} "
+                   f"| {ratio(programs, 'embree robust'):.2f} | {1e6 * apart:+.0f} ppm |")
+
+
+def aims_table(data):
+    yield "| what | aim | found | reached |"
+    yield "|" + " --- |" * 4
+    for what, aim, from_above, found in aims(data):
+        reached = found >= aim if from_above else found <= aim
+        yield (f"| {what} | at {'least' if from_above else 'most'} {round(aim, 3):g} "
+               f"| {figure(found)} | {'yes' if reached else 'no'} |")
 
 
 def page(data, asked):
@@ -117,9 +87,9 @@ def page(data, asked):
         f"{data['size']} × {data['size']} pixels, {data['turns']} turns. "
         f"{machine['processor']}, {machine['cores']} cores, {machine['vectors']}"
         f"{', a virtual machine' if machine['virtual'] else ''}; {machine['system']}. "
-        f"{data['scn']}, {', '.join(versions.values()) or 'no peers'}. "
-        f"Processes that wanted to run, before and after: "
-        f"{', '.join(str(load) for load in data['busy'])} (besides what is measured, 0 is quiet).",
+        f"{data['scn']} (binary {data['settings']['scn']}), {', '.join(versions.values()) or 'no peers'}. "
+        f"Processes that wanted to run, at the beginning and the end: "
+        f"{', '.join(str(load) for load in data['busy'])} (0 is quiet).",
     ]
     for peer, why in data.get("absent", {}).items():
         lines.append(f"Without {NAMES.get(peer, peer)}: {why}.")
@@ -132,6 +102,7 @@ def page(data, asked):
         lines += ["", *agree_table(data)]
     if data.get("rays"):
         lines += ["", *rays_table(data)]
+    lines += ["", *aims_table(data)]
     return "\n".join(lines) + "\n"
 
 
@@ -144,15 +115,16 @@ def plot(data, path):
     colours = dict(zip(NAMES, ["#1b6ca8", "#d1495b", "#e8a0a8", "#8d99ae", "#c9b458"]))
     figure_, axes = pyplot.subplots(figsize=(8, 3.6))
     seen, at, ticks = set(), 0.0, []
-    for scene, found in data["renders"].items():
-        rows = [Row(data, scene, program) for program in found["runs"]]
-        for i, row in enumerate(rows):
+    for scene in data["renders"]:
+        all_rows = rows(data, scene)
+        for i, row in enumerate(all_rows):
             label = None if row.program in seen else NAMES[row.program]
             seen.add(row.program)
             axes.bar(at + i, row.to_goal, 0.9, color=colours[row.program], label=label)
-            axes.text(at + i, row.to_goal, figure(row.to_goal), ha="center", va="bottom", fontsize=8)
-        ticks.append((at + (len(rows) - 1) / 2, scenes.scene(scene).title))
-        at += len(rows) + 1
+            axes.text(at + i, row.to_goal, figure(row.to_goal), ha="center", va="bottom",
+                      fontsize=8)
+        ticks.append((at + (len(all_rows) - 1) / 2, scenes.scene(scene).title))
+        at += len(all_rows) + 1
     axes.set_yscale("log")
     axes.margins(y=0.12)
     axes.set_ylabel(f"seconds to a relMSE of {GOAL}")

@@ -6,9 +6,9 @@ import numpy as np
 
 # Added to the square of the reference: dark pixels count by their difference, not its ratio.
 EPSILON = 0.01
-# How far blocks may be apart without noise, as a part of the picture's mean and counted as a standard
-# error: edges that fall between two pixels are moved by rounding, and show a sliver of what is
-# behind.
+# How far blocks may be apart without noise, as a part of the picture's mean and counted as a
+# standard error: edges that fall between two pixels are moved by rounding, and show a sliver of
+# what is behind.
 SLIVER = 2e-4
 
 

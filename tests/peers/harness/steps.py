@@ -4,7 +4,7 @@ import importlib.util
 import os
 from dataclasses import dataclass
 
-from . import rays, renders, report, scenes
+from . import alone, rays, renders, report, scenes
 from .store import Progress, Store, busy, digest, machine
 
 
@@ -15,12 +15,13 @@ class Plan:
     turns: int
     budget: float  # seconds of a render at most
     agree: tuple  # pixels along a side, and along a block's; seeds; samples
-    rays: tuple  # primary rays along a side, turns
+    rays: tuple  # primary rays along a side; turns
+    alone: int  # samples
 
 
-FULL = Plan(512, 7, 20, (128, 8, 16, 64), (700, 11))
-QUICK = Plan(512, 3, 5, (64, 4, 12, 64), (500, 5))
-TINY = Plan(64, 2, 0.2, (16, 4, 6, 16), (50, 3))
+FULL = Plan(512, 7, 20, (128, 8, 16, 64), (700, 11), 64)
+QUICK = Plan(512, 3, 5, (64, 4, 12, 64), (500, 5), 16)
+TINY = Plan(64, 2, 0.2, (16, 4, 6, 16), (50, 3), 4)
 
 
 def programs():
@@ -61,6 +62,7 @@ def run(asked):
         "start": len(starts) * plan.turns * 0.7,
         "renders": sum(len(bench.of(name)) for name in timed) * plan.turns * plan.budget,
         "rays": 60.0,
+        "alone": len(alone.WAYS) * plan.turns * 2.0 + 10,
     }
     progress = Progress(sum(seconds.get(step, 0) for step in asked.steps))
 
@@ -99,6 +101,11 @@ def run(asked):
                 lambda what: progress.step(plan.budget, what), store.save)
     if "rays" in asked.steps:
         rays.measure(asked.work, plan.rays, store, progress)
+    if "alone" in asked.steps:
+        alone.ways(bench, plan.size, plan.alone, plan.turns, store.at("ways"),
+                   lambda what: progress.step(2, what), store.save)
+        alone.previews(bench, store.at("previews"),
+                       lambda what: progress.step(2, what), store.save)
     store.data["busy"].append(busy())
     store.data["complete"] = store.data["complete"] or asked.steps == asked.all_steps
     store.save()
