@@ -9,6 +9,8 @@ use crate::files;
 
 /// The scene.
 const SCENE: &str = include_str!("new.scn");
+/// The page for beginners, in the project's folder.
+const TOUR: &str = "docs/tour.md";
 
 pub fn run(options: &New) -> End {
     let mut path = options.name.clone().unwrap_or_else(|| PathBuf::from("scene"));
@@ -26,7 +28,11 @@ pub fn run(options: &New) -> End {
     let shown = path.display();
     match files::whole::create(&path, SCENE.as_bytes()) {
         Ok(()) => {
-            let text = format!("wrote {shown}; its pictures: scn render {}\n", typed(&path));
+            let text = format!(
+                "wrote {shown}\n  its pictures    scn render {}\n  all words       scn list\n  \
+                 the first hour  {TOUR}\n",
+                typed(&path)
+            );
             terminal::say(&harmless_text(&text));
             End::Well
         }

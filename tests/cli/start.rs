@@ -6,11 +6,20 @@ use crate::bench::Bench;
 fn a_new_scene_has_no_fault_is_in_the_style_and_renders() {
     let bench = Bench::new();
     let said = bench.run("new balls").well().stdout;
-    assert_eq!(said, "wrote balls.scn; its pictures: scn render balls.scn\n");
+    let told = [
+        "wrote balls.scn",
+        "  its pictures    scn render balls.scn",
+        "  all words       scn list",
+        "  the first hour  docs/tour.md",
+    ];
+    assert_eq!(said.lines().collect::<Vec<_>>(), told);
+    let tour = told[3].split_whitespace().last().unwrap();
+    assert!(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(tour).exists());
     assert!(bench.run("lint balls.scn").well().stderr.is_empty());
     bench.run("fmt --check balls.scn").well();
     let run = bench.run("render balls.scn --scale 0.05 --samples 1").well();
     assert_eq!(run.stderr, "");
+    assert!(!run.stdout.contains("bias"), "{}", run.stdout);
     assert!(bench.files().contains(&"out/balls/evening.png".to_string()), "{:?}", bench.files());
 }
 
