@@ -181,3 +181,36 @@ fn every_room_has_a_row() {
         assert!(known || !path.is_dir(), "src/{name} has no row in docs/architecture.md");
     }
 }
+
+#[test]
+fn every_test_file_has_a_row() {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let mut there = Vec::new();
+    for entry in fs::read_dir(tests).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap();
+        if path.join("main.rs").exists() {
+            there.push(format!("tests/{name}/"));
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            there.push(format!("tests/{name}"));
+        }
+    }
+    let section = DOCUMENT.split("\n## Tests\n").nth(1).unwrap();
+    let cells = section.lines().filter_map(|line| line.strip_prefix('|')?.split('|').next());
+    let mut listed: Vec<String> =
+        cells.flat_map(|cell| cell.split('`').skip(1).step_by(2).map(str::to_string)).collect();
+    there.sort();
+    listed.sort();
+    assert_eq!(listed, there, "docs/architecture.md lists other tests than there are");
+}
+
+#[test]
+fn every_crate_of_the_quarantine_is_in_use() {
+    let manifest =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml")).unwrap();
+    for (what, _) in quarantine() {
+        let mention = what.ends_with('!') || what.contains("::");
+        let used = manifest.lines().any(|line| line.starts_with(&format!("{what} = ")));
+        assert!(mention || used, "docs/architecture.md keeps `{what}`, which is not in Cargo.toml");
+    }
+}

@@ -73,7 +73,7 @@ fn every_picture_is_what_its_scene_says_now() {
 /// Holds the words in a picture against the scene it was made of.
 fn up_to_date(
     picture: &Path,
-    scenes: &mut HashMap<String, Vec<shots::Shot>>,
+    scenes: &mut HashMap<(String, String), Vec<shots::Shot>>,
 ) -> Result<(), String> {
     let words = png::read_metadata(picture).map_err(|failure| failure.to_string())?;
     let word = |key: &str| {
@@ -83,10 +83,13 @@ fn up_to_date(
     let (scene, render) = (word("scn:scene")?, word("scn:render")?);
     word("scn:seed")?.parse::<u64>().map_err(|_| "its scn:seed is no number")?;
 
-    let shots = scenes.entry(scene.clone()).or_insert_with(|| {
+    let sets = word("scn:set").unwrap_or_default();
+    let shots = scenes.entry((scene.clone(), sets.clone())).or_insert_with(|| {
         let mut places = FOLDERS.iter().map(|folder| format!("{folder}/{scene}"));
         let file = places.find(|file| shots::path(file).exists());
-        shots::open(&file.unwrap_or_else(|| panic!("there is no scene {scene}")))
+        let file = file.unwrap_or_else(|| panic!("there is no scene {scene}"));
+        let sets: Vec<String> = sets.lines().map(str::to_string).collect();
+        shots::open_with(&file, &sets)
     });
     let shot = shots.iter().find(|shot| shot.name == render);
     let shot = shot.ok_or(format!("{scene} has no render {render}"))?;

@@ -13,6 +13,11 @@ mod shots;
 
 /// A side of a picture here, as a part of its full one.
 const SCALE: f64 = 1.0 / 16.0;
+/// The same where errors are measured.
+const OF_ERRORS: f64 = 0.5;
+/// By how much the error of a picture of that size may differ from the one the page states, which
+/// is rounded and of the full size: as a factor.
+const NEAR: f64 = 1.3;
 
 /// Each scene of the page, as it stands after each block that goes on with it.
 fn scenes() -> Vec<Vec<String>> {
@@ -74,6 +79,41 @@ fn every_step_makes_a_picture() {
                 (low.min(value), high.max(value))
             });
             assert!(high > low, "{} shows nothing", shot.name);
+        }
+    }
+}
+
+/// The numbers before `%` in a text, as parts of one.
+fn percents(text: &str) -> Vec<f64> {
+    let before = text.split('%').filter_map(|part| part.split_whitespace().next_back());
+    before.filter_map(|word| word.parse::<f64>().ok()).map(|number| number / 100.0).collect()
+}
+
+#[test]
+fn the_errors_it_states_are_about_those_of_its_pictures() {
+    let page = fs::read_to_string(shots::path("docs/tour.md")).unwrap();
+    let table = page.split("| render | error |").nth(1).unwrap().split("\n\n").next().unwrap();
+    let mut stated: Vec<(String, u64, Vec<f64>)> = Vec::new();
+    for row in table.lines().filter_map(|line| line.strip_prefix("| `")) {
+        let (name, rest) = row.split_once('`').unwrap();
+        stated.push((name.to_string(), if name.ends_with("_4") { 4 } else { 64 }, percents(rest)));
+    }
+    assert_eq!(stated.len(), 4);
+    let end = page.split("stopped   by error, after 256 rays a pixel\n").nth(1).unwrap();
+    let end = end.lines().next().unwrap();
+    stated.push(("until".to_string(), 256, percents(&end.replacen("95 %", "", 1))));
+    let shots = shots::open("scenes/tour/lamp.scn");
+    for (name, samples, stated) in stated {
+        let shot = shots.iter().find(|shot| shot.name == name).unwrap();
+        let outcome = shot.outcome(&shot.prepare(OF_ERRORS), 0, samples);
+        let noise = outcome.noise.unwrap();
+        let found = [noise.relmse, noise.low, noise.high].map(f64::sqrt);
+        assert_eq!(stated.len(), if outcome.bound { 1 } else { 3 }, "{name}");
+        for (i, (stated, found)) in stated.iter().zip(found).enumerate() {
+            // The ends of an interval are less certain than the middle.
+            let most = if i == 0 { NEAR } else { NEAR * NEAR };
+            let near = (stated / found).max(found / stated) < most;
+            assert!(near, "{name}: docs/tour.md says {stated}, and {found} is found");
         }
     }
 }

@@ -11,7 +11,7 @@ use scn::lang;
 use scn::load::{Loader, Stage};
 use scn::math::{NoProgress, Picture};
 use scn::prepare::{self, Prepared};
-use scn::run::{self, Begin, Watch};
+use scn::run::{self, Begin, Outcome, Watch};
 
 /// A render of a scene file, with all that it needs read.
 pub struct Shot {
@@ -80,11 +80,16 @@ impl Shot {
     /// A picture of as many samples as the scene says.
     pub fn picture(&self, prepared: &Prepared, seed: u64) -> Picture {
         let samples = self.stage.scene.stop.most_samples().expect("a limit of samples");
+        self.outcome(prepared, seed, samples).picture
+    }
+
+    /// What so many samples come to.
+    pub fn outcome(&self, prepared: &Prepared, seed: u64, samples: u64) -> Outcome {
         let settings = run::Settings::samples(seed, samples);
         let Prepared { world, integrator, .. } = prepared;
         let outcome = run::render(world, integrator, &settings, Begin::new(world), &Untimed);
         assert!(outcome.invalid.is_none(), "{}: samples that are not finite", self.name);
-        outcome.picture
+        outcome
     }
 }
 
