@@ -4,6 +4,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
+use std::process::Command;
 
 use scn::cli;
 use scn::diag::{self, Sources};
@@ -21,22 +22,33 @@ const NEAR: f64 = 1.3;
 
 /// Each scene of the page, as it stands after each block that goes on with it.
 fn scenes() -> Vec<Vec<String>> {
+    read().0
+}
+
+/// The same with what an answer adds.
+fn steps() -> Vec<String> {
+    let (scenes, answers) = read();
+    scenes.into_iter().flatten().chain(answers).collect()
+}
+
+/// The steps of each scene, and scenes with an answer.
+fn read() -> (Vec<Vec<String>>, Vec<String>) {
     let page = fs::read_to_string(shots::path("docs/tour.md")).unwrap();
-    let mut scenes: Vec<Vec<String>> = Vec::new();
+    let (mut scenes, mut answers): (Vec<Vec<String>>, Vec<String>) = Default::default();
     for block in page.split("\n```scn").skip(1) {
         let (kind, rest) = block.split_once('\n').unwrap();
         let text = rest.split("```").next().unwrap();
         match kind {
             "" => scenes.push(vec![text.to_string()]),
-            " more" => {
+            " more" | " answer" => {
                 let steps = scenes.last_mut().expect("a scene to go on with");
                 let whole = format!("{}\n{text}", steps.last().unwrap());
-                steps.push(whole);
+                if kind == " more" { steps.push(whole) } else { answers.push(whole) }
             }
             other => panic!("a block of the tour is `scn{other}`"),
         }
     }
-    scenes
+    (scenes, answers)
 }
 
 fn files() -> Vec<PathBuf> {
@@ -56,7 +68,7 @@ fn the_scenes_of_the_page_are_those_of_the_folder() {
 #[test]
 fn every_step_is_beyond_doubt_and_in_the_style() {
     let path = shots::path("scenes/tour/step.scn");
-    for text in scenes().iter().flatten() {
+    for text in &steps() {
         let mut sources = Sources::new();
         let found = cli::check(&path, text, &[], &mut sources).found;
         let report = diag::print::report(&found, &sources, "a step", diag::print::Look::PLAIN);
@@ -69,7 +81,7 @@ fn every_step_is_beyond_doubt_and_in_the_style() {
 
 #[test]
 fn every_step_makes_a_picture() {
-    for text in scenes().iter().flatten() {
+    for text in &steps() {
         let shots = shots::open_text(&shots::path("scenes/tour/step.scn"), text, &[]);
         for shot in shots.unwrap_or_else(|report| panic!("{report}")) {
             let picture = shot.picture(&shot.prepare(SCALE), 0);
@@ -116,4 +128,17 @@ fn the_errors_it_states_are_about_those_of_its_pictures() {
             assert!(near, "{name}: docs/tour.md says {stated}, and {found} is found");
         }
     }
+}
+
+#[test]
+fn the_scene_that_is_broken_is_told_as_printed() {
+    let page = fs::read_to_string(shots::path("docs/tour.md")).unwrap();
+    let shown = page.split("```text\n").nth(1).unwrap().split("```").next().unwrap();
+    let whole = scenes()[0][0].replace("35 deg", "35").replace("material: clay", "material: caly");
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("ball.scn"), whole).unwrap();
+    let mut lint = Command::new(env!("CARGO_BIN_EXE_scn"));
+    lint.current_dir(folder.path()).args(["lint", "ball.scn", "--format", "short"]);
+    let found = String::from_utf8(lint.output().unwrap().stdout).unwrap();
+    assert_eq!(shown, found);
 }
