@@ -2,6 +2,7 @@
 //! what is chosen, and in which order, changes the noise alone.
 
 mod by_hand;
+mod shots;
 
 use std::f64::consts::PI;
 
@@ -194,19 +195,111 @@ fn powers_of_two_of_size_and_brightness_change_no_bit() {
     }
 }
 
+/// Disks of 1e-12 to 1e12 m², and squares and balls of about as much: right above a floor, as far
+/// away as they are large, and much farther.
 #[test]
 fn lamps_of_any_area_give_their_light() {
-    for (radius, size) in [(5.6e-7, 1.0), (1.0, 1.0), (5.6e5, 5.6e5)] {
-        let (h, z) = (size, DVec3::Z);
-        let hand = Hand::new(direct())
-            .material("floor", 1.0, 0.0)
-            .material("lamp", 0.0, 1.0)
-            .disk(DVec3::ZERO, z, 1e-3 * size, "floor")
-            .disk(z * h, -z, radius, "lamp")
-            .camera(z * 1e-2 * size, DVec3::ZERO, 0.01);
-        let found = hand.samples(4096).estimate();
-        let truth = radius * radius / (radius * radius + h * h);
-        let verdict = agrees(found.mean(), found.standard_error(), truth, 0.01 * truth);
-        assert!(verdict.holds(), "{} m²: {verdict}", PI * radius * radius);
+    let z = DVec3::Z;
+    let chosen = asked(LightCount::Chosen(1), 1);
+    for integrator in [direct(), chosen, Integrator::Path(path())] {
+        for (radius, h) in
+            [(5.6e-7_f64, 1.0_f64), (5.6e-7, 5.6e-7), (1.0, 1.0), (5.6e5, 5.6e5), (5.6e5, 1e7)]
+        {
+            let size = radius.max(h);
+            let hand = || {
+                let round = at(scene::Count(1024));
+                let mut hand = Hand::new(integrator.clone())
+                    .material("floor", 1.0, 0.0)
+                    .material("lamp", 0.0, 1.0)
+                    .disk(DVec3::ZERO, z, 1e-3 * size, "floor")
+                    .camera(z * 1e-2 * size, DVec3::ZERO, 0.01)
+                    .samples(1024);
+                hand.scene.sampler = at(scene::Sampler::Sobol(scene::Sobol { round }));
+                hand
+            };
+            let (r, far) = (radius * radius, h * h);
+            // Of a square of side 2 r: 4/π · a/√(a² + 1) · atan(a/√(a² + 1)), a = r/h.
+            let a = radius / h / (r / far + 1.0).sqrt();
+            for (name, hand, truth) in [
+                ("disk", hand().samples(8192).disk(z * h, -z, radius, "lamp"), r / (r + far)),
+                (
+                    "square",
+                    hand().quad(z * h, DVec3::Y * radius, DVec3::X * radius, "lamp"),
+                    4.0 / PI * a * a.atan(),
+                ),
+                ("ball", hand().sphere(z * 2.0 * h, radius, "lamp"), r / (4.0 * far)),
+            ] {
+                let found = hand.estimate();
+                let what = format!("{name} of {radius} m, {h} m away");
+                let verdict = agrees(found.mean(), found.standard_error(), truth, 0.003 * truth);
+                assert!(verdict.holds(), "{what}: {verdict}");
+            }
+        }
     }
+}
+
+/// Lights and surfaces, each in a line of its own; their order in the text means nothing.
+#[test]
+fn the_order_of_a_text_changes_no_bit() {
+    let lines = [
+        "light sun: directional { direction: (1, -0.5, -2), irradiance: 1 W/m^2 }",
+        "light bulb: point { position: (0.4, -0.5, 1), intensity: 0.3 W/sr }",
+        "light sky: constant { radiance: 0.2 W/m^2/sr }",
+        "light lantern: spot { position: (-1, 0.3, 2), direction: (1, 0, -2), intensity: 2 W/sr, cone: 30 deg }",
+        "material floor: diffuse { albedo: 0.6 }",
+        "material shiny: mix { first: floor, second: gold, amount: 0.4 }",
+        "material gold: conductor { ior: metal.gold }",
+        "material lamp: diffuse { albedo: 0.1, emission: 4 W/m^2/sr }",
+        "object ball: sphere { center: (0, 0.4, 0.4), radius: 0.4 m, material: shiny }",
+        "object card: quad { corner: (-2, -2, 0), u: (4, 0, 0), v: (0, 4, 0), material: floor }",
+        "object dim: disk { center: (1, 0, 1), normal: -z, radius: 0.2 m, material: lamp }",
+        "object small: triangle { a: (-1, 0, 1), b: (-1, 0.5, 1), c: (-0.5, 0, 1.3), material: lamp }",
+        "camera: perspective { eye: (0, -3, 2), look_at: (0, 0, 0.2), up: z, fov_y: 40 deg }",
+        "film: { size: (12, 12) }",
+        "integrator: path { lights: 2 }",
+        "stop: { samples: 16 }",
+    ];
+    let picture = |order: &[usize]| {
+        let text: Vec<_> = order.iter().map(|line| lines[*line]).collect();
+        let text = format!("scn 1 in m\n{}\n", text.join("\n"));
+        let shots = shots::open_text(std::path::Path::new("it.scn"), &text, &[]);
+        let shot = shots.unwrap_or_else(|report| panic!("{report}")).remove(0);
+        shot.picture(&shot.prepare(1.0), 0)
+    };
+    let plain: Vec<usize> = (0..lines.len()).collect();
+    let first = picture(&plain);
+    assert!(first.pixels.iter().any(|pixel| pixel.g > 0.1));
+    for turn in [3, 7, 11] {
+        let order: Vec<_> = plain.iter().map(|line| (line * turn + turn) % lines.len()).collect();
+        assert_eq!(picture(&order).pixels, first.pixels, "{order:?}");
+    }
+    let back: Vec<_> = plain.iter().rev().copied().collect();
+    assert_eq!(picture(&back).pixels, first.pixels);
+}
+
+/// The same lights by other names, and so in another order; and the triangles of a mesh in another.
+#[test]
+fn the_order_of_lights_and_triangles_changes_the_noise_alone() {
+    let mut hand = many(asked(LightCount::Chosen(2), 1)).samples(512);
+    let plain = hand.estimate();
+    hand.scene.lights.reverse();
+    assert_same("lights", &plain, &hand.estimate());
+    let stride = 7;
+    let count = hand.scene.lights.len();
+    let turned = (0..count).map(|i| hand.scene.lights[i * stride % count].clone()).collect();
+    hand.scene.lights = turned;
+    assert_same("lights by sevens", &plain, &hand.estimate());
+    hand.scene.objects.reverse();
+    hand.meshes.reverse();
+    assert_same("objects", &plain, &hand.estimate());
+
+    let show = |turn: usize| {
+        let mut mesh = by_hand::bumpy_ball(12);
+        mesh.triangles.rotate_left(turn);
+        mesh.normal_indices.rotate_left(turn);
+        let hand = floor(Integrator::Path(path())).mesh(mesh, 0.5, 0.7).background(0.4);
+        hand.directional(dvec3(1.0, 0.5, -1.0), 2.0).size(16, 16).samples(16).picture()
+    };
+    // Of no lamp the triangles are chosen: what is met is the same, wherever it stands.
+    assert!(difference(&show(0), &show(101)) < 1e-6);
 }
