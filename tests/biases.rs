@@ -5,7 +5,7 @@ mod by_hand;
 
 use glam::{DVec3, dvec3};
 use scn::data::{self, Figures};
-use scn::math::{Spectrum, Table};
+use scn::math::{Formula, Spectrum, Table};
 use scn::plan::{Kind, biases, errors};
 use scn::prepare::{self, Prepared};
 use scn::run::{self, Difference};
@@ -273,4 +273,44 @@ fn products_that_are_exact_or_of_colours_are_not_told() {
     assert_eq!(told(&alone), [""; 0]);
     let two = alone.clone().quad(DVec3::Z, DVec3::X, DVec3::Y, "lamp");
     assert_eq!(told(&two).len(), 1);
+}
+
+/// A ball of glass of this index.
+fn refracting(n: Spectrum) -> Hand {
+    let mut hand = floor().glass("glass", 1.5).sphere(dvec3(0.0, 0.0, 1.0), 0.5, "glass");
+    let scene::Medium::Homogeneous(glass) = &mut hand.scene.media[0].value.value else {
+        panic!("homogeneous")
+    };
+    glass.ior.value.n = n;
+    hand.size(16, 16)
+}
+
+#[test]
+fn an_index_that_varies_is_told_with_its_size_and_the_one_that_is_taken() {
+    let told = |n: Spectrum| {
+        let all = biases(&refracting(n).stage());
+        let all = all.into_iter().filter(|bias| bias.kind == Kind::Dispersion);
+        all.map(|bias| [bias.setting, bias.effect, bias.brief]).collect::<Vec<_>>()
+    };
+    // n = A + B / λ² at 486.1, 587.6 and 656.3 nm.
+    let cauchy = |b: f64| Spectrum::of(Formula::Cauchy([1.5, b, 0.0]));
+    let [[setting, effect, brief]] = &told(cauchy(4e-3))[..] else { panic!("one") };
+    assert_eq!(setting, "the index of `glass`");
+    assert!(effect.contains("refracted by 1.5116, its index in yellow"), "{effect}");
+    assert!(effect.contains("1.5169 in blue and 1.5093 in red"), "{effect}");
+    assert!(brief.contains("0.51 % of the index"), "{brief}");
+    // N-BK7 by its catalogue, as the ground truths have it.
+    let bk7 = [(1.03961212, 0.00600069867), (0.231792344, 0.0200179144), (1.01046945, 103.560653)];
+    let [[_, effect, _]] = &told(Spectrum::of(Formula::Sellmeier(bk7.to_vec())))[..] else {
+        panic!("one")
+    };
+    assert!(effect.contains("1.5168, its index in yellow; it is 1.5224 in blue and 1.5143 in red"));
+    for constant in [cauchy(0.0), cauchy(1e-5), Spectrum::Constant(1.5)] {
+        assert!(told(constant.clone()).is_empty(), "{constant:?}");
+    }
+    // All light is refracted by that one index, and by no other.
+    let picture = |n: Spectrum| refracting(n).picture();
+    let middle = 1.5 + 4e-3 / 0.5876_f64.powi(2);
+    assert_eq!(picture(cauchy(4e-3)), picture(Spectrum::Constant(middle)));
+    assert!(picture(cauchy(4e-3)) != picture(Spectrum::Constant(1.5 + 4e-3 / 0.4861_f64.powi(2))));
 }

@@ -240,10 +240,13 @@ mod tests {
     fn pictures_crops_layers_and_words_come_back_as_they_went() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.exr");
+        // Brighter than half floats can hold: a sun, and all that there is.
+        let mut main = ramp(37, 41, 0.1);
+        main.pixels[7] = Rgb::new(1e9, 65_505.0, f32::MAX);
         let layers = Layers {
             film: [100, 60],
             origin: [30, 7],
-            main: ramp(37, 41, 0.1),
+            main,
             named: vec![("albedo".into(), ramp(37, 41, 0.2)), ("normal".into(), ramp(37, 41, 3.0))],
             scalars: vec![("samples".into(), (0..37 * 41).map(|i| i as f32).collect())],
         };

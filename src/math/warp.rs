@@ -188,4 +188,24 @@ mod tests {
             zone * 12 + ((turn(p.x, p.y) * 12.0) as usize).min(11)
         });
     }
+
+    #[test]
+    fn frames_are_square_about_every_axis_and_most_of_all_about_minus_z() {
+        let near = |i: u64| {
+            let p = square(i) - Vec2::splat(0.5);
+            let aside = 10.0_f32.powi(-((i % 12) as i32));
+            Vec3::new(aside * p.x, aside * p.y, if i.is_multiple_of(2) { -1.0 } else { 1.0 })
+        };
+        let poles = [Vec3::Z, Vec3::NEG_Z, Vec3::new(0.0, -0.0, -1.0), Vec3::new(-0.0, 0.0, -1.0)];
+        for axis in poles.into_iter().chain((0..100_000).map(|i| near(i).normalize())) {
+            let [x, y, z] = Vec3::AXES.map(|local| about(axis, local));
+            assert_eq!(z, axis);
+            for (one, other) in [(x, y), (y, z), (z, x)] {
+                assert!(one.dot(other).abs() < 1e-6, "{axis}: {x} {y}");
+                assert!((one.length() - 1.0).abs() < 1e-6, "{axis}: {x} {y}");
+            }
+            // Right-handed.
+            assert!((x.cross(y) - z).length() < 2e-6, "{axis}");
+        }
+    }
 }

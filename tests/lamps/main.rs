@@ -74,7 +74,7 @@ fn a_point_in_a_white_ball_lights_it_evenly_beyond_its_first_light() {
             .point(light, 1.0)
             .camera(DVec3::ZERO, p, 0.1);
         // L = ρE/π.
-        assert_is("ball", &even(found, 8192).estimate(), truth, 0.005);
+        assert_is("ball", &found.samples(16_384).estimate(), truth, 0.005);
     }
 }
 
@@ -274,7 +274,7 @@ fn faces_of_a_cube_see_each_other_by_their_form_factors() {
                 .quad(DVec3::ZERO, x, y, "floor")
                 .quad(lamp[0], lamp[1], lamp[2], "lamp")
                 .camera(z, DVec3::ZERO, 90.0);
-            let found = even(hand, 16_384).estimate();
+            let found = even(hand, 32_768).estimate();
             assert_is(&format!("{name} by {way}"), &found, truth, 0.003);
         }
     }

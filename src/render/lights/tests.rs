@@ -317,3 +317,127 @@ fn of_ten_thousand_lights_the_near_ones_are_chosen() {
     let (by_crowd, even) = (variance(&lights, false), variance(&lights, true));
     assert!(by_crowd * 8.0 < even, "{by_crowd} {even}");
 }
+
+/// One of each kind of what surrounds a scene, after the one that was last: the compiler asks for a
+/// new one.
+fn next_sight(last: Option<&Sight>) -> Option<Sight> {
+    let Some(last) = last else { return Some(Sight::Constant(Rgb::grey(0.7))) };
+    match last {
+        Sight::Constant(_) => {
+            let towards = Vec3::new(0.3, -0.4, 0.8).normalize();
+            Some(Sight::Disc(Disc::new(towards, 0.4, Rgb::ONE)))
+        }
+        Sight::Disc(_) => {
+            let radiance = |w: Vec3| Rgb::new(w.z, 0.1 + w.x * w.x, 0.3);
+            let ground = Rgb::grey(0.1);
+            Some(Sight::Sky(std::sync::Arc::new(Sky::new(
+                glam::Mat3::IDENTITY,
+                32,
+                radiance,
+                ground,
+            ))))
+        }
+        Sight::Sky(_) => None,
+    }
+}
+
+#[test]
+fn directions_of_all_that_surrounds_a_scene_follow_their_density() {
+    let bin = |w: Vec3| {
+        let level = ((0.5 * (w.z + 1.0) * 10.0) as usize).min(9);
+        let turn = w.y.atan2(w.x) / std::f32::consts::TAU + 0.5;
+        level * 12 + ((turn * 12.0) as usize).min(11)
+    };
+    for sight in std::iter::successors(next_sight(None), |last| next_sight(Some(last))) {
+        for normal in [Vec3::ZERO, Vec3::Z, Vec3::new(0.6, 0.0, -0.8)] {
+            let light = Surroundings { sight: sight.clone(), asked: Some(0) };
+            let site = site(Vec3::ZERO, normal);
+            let mut counts = vec![0; 121];
+            for i in 0..SAMPLES {
+                let u = random::unit_pair(random::at(13, i));
+                let Some(arrival) = light.sample(&site, u) else {
+                    counts[120] += 1;
+                    continue;
+                };
+                assert!(
+                    (arrival.wi.length() - 1.0).abs() < 1e-5 && arrival.shadow.t_max.is_infinite()
+                );
+                let told = light.pdf_w(&site, arrival.wi);
+                // On the rim of a disc rounding may put it outside.
+                assert!((told / arrival.pdf_w - 1.0).abs() < 1e-4 || told == 0.0, "{sight:?}");
+                let truth = light.radiance(arrival.wi).g / arrival.pdf_w;
+                assert!((arrival.irradiance.g - truth).abs() < 1e-3 * truth || told == 0.0);
+                counts[bin(arrival.wi)] += 1;
+            }
+            let mut probabilities = vec![0.0; 121];
+            let points = 10 * POINTS;
+            for i in 0..points {
+                let u = [0.754_877_666_246_693, 0.569_840_290_998_053]
+                    .map(|step| (step * i as f64).fract() as f32);
+                let wi = warp::square_to_sphere(Vec2::from_array(u));
+                let pdf_w = f64::from(light.pdf_w(&site, wi));
+                probabilities[bin(wi)] += pdf_w * 2.0 * std::f64::consts::TAU / points as f64;
+            }
+            let sum: f64 = probabilities.iter().sum();
+            let lost = counts[120] as f64 / SAMPLES as f64;
+            assert!((sum + lost - 1.0).abs() < 2e-3, "{sight:?}: {sum} and {lost}");
+            probabilities.iter_mut().for_each(|p| *p *= (1.0 - lost) / sum);
+            probabilities[120] = lost;
+            chi_squared::assert_fits(&counts, &probabilities);
+        }
+    }
+}
+
+/// One of each kind of light, after the one that was last.
+fn next_light(last: Option<&Light>, lamp: &Lamp) -> Option<Light> {
+    let bulb = PointLight { position: Vec3::new(0.2, 0.1, 1.5), intensity: Rgb::ONE };
+    let Some(last) = last else {
+        return Some(Light::Directional(Directional { to_light: Vec3::Z, irradiance: Rgb::ONE }));
+    };
+    match last {
+        Light::Directional(_) => Some(Light::Lamp(Box::new(lamp.clone()))),
+        Light::Lamp(_) => Some(Light::Point(bulb)),
+        Light::Point(_) => Some(Light::Spot(SpotLight::new(bulb, Vec3::NEG_Z, [0.5, 0.9]))),
+        Light::Spot(_) => {
+            let sight = Sight::Constant(Rgb::ONE);
+            Some(Light::Surroundings(Surroundings { sight, asked: None }))
+        }
+        Light::Surroundings(_) => None,
+    }
+}
+
+/// What a light tells of a sample is what can be seen of it: the way is open up to the light and no
+/// further, and no light without extent has a density.
+#[test]
+fn every_light_sends_shadow_rays_that_end_at_it() {
+    let v = Vec3::new;
+    let alone = Alone::new().quad(v(-0.5, -0.5, 1.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0));
+    let (geometry, lamp) = alone.lamp(true);
+    let here = site(Vec3::ZERO, Vec3::Z);
+    for light in
+        std::iter::successors(next_light(None, &lamp), |last| next_light(Some(last), &lamp))
+    {
+        for i in 0..1000 {
+            let u = random::unit_pair(random::at(17, i));
+            let arrival = light.sample(&geometry, &here, u).expect("seen from there");
+            let Arrival { wi, irradiance, pdf_w, shadow } = arrival;
+            assert!((wi.length() - 1.0).abs() < 1e-5 && irradiance.is_finite(), "{light:?}");
+            let extended = matches!(light, Light::Lamp(_) | Light::Surroundings(_));
+            assert_eq!(pdf_w > 0.0, extended, "{light:?}");
+            match light {
+                Light::Lamp(_) => assert!(!geometry.occluded(&shadow)),
+                Light::Point(_) | Light::Spot(_) => {
+                    // The lamp is in the way of what is above it, where it is.
+                    let at = wi / wi.z;
+                    let behind = at.x.abs() < 0.499 && at.y.abs() < 0.499;
+                    assert!(!behind || geometry.occluded(&shadow), "{light:?}");
+                    let end = shadow.origin + shadow.t_max * shadow.direction;
+                    assert!((end - v(0.2, 0.1, 1.5)).length() < 1e-4, "{light:?}: {end}");
+                }
+                Light::Directional(_) | Light::Surroundings(_) => {
+                    assert!(shadow.t_max.is_infinite());
+                }
+            }
+        }
+    }
+}

@@ -10,6 +10,9 @@ mod facing;
 mod mirror;
 mod mixture;
 
+#[cfg(test)]
+mod tests;
+
 pub use conductor::Conductor;
 pub use dielectric::{Dielectric, Interface};
 pub use diffuse::{Diffuse, Lambert};
