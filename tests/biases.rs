@@ -278,11 +278,10 @@ fn products_that_are_exact_or_of_colours_are_not_told() {
 /// A ball of glass of this index.
 fn refracting(n: Spectrum) -> Hand {
     let mut hand = floor().glass("glass", 1.5).sphere(dvec3(0.0, 0.0, 1.0), 0.5, "glass");
-    let scene::Medium::Homogeneous(glass) = &mut hand.scene.media[0].value.value else {
-        panic!("homogeneous")
-    };
+    let scene::Medium::Homogeneous(glass) = &mut hand.scene.media[0].value.value;
     glass.ior.value.n = n;
-    hand.size(16, 16)
+    // A floor that is not the same all over.
+    hand.point(dvec3(0.8, 0.3, 0.5), 1.0).size(16, 16).samples(4)
 }
 
 #[test]
