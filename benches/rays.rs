@@ -1,16 +1,19 @@
 //! How many rays a second one thread traces against the bunny standing in a box without its front:
 //! rays of a camera, cosine-distributed rays from where they end, and shadow rays from there to a
-//! lamp; by the processor's best instructions and by plain ones. And how long the tree takes.
+//! lamp; by the processor's best instructions and by plain ones. And how long the tree takes. And 64
+//! bunnies in rows, as instances and as copies.
 //!
 //! `cargo bench --bench rays`
 
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use glam::{DVec3, Vec2, Vec3};
-use scn::math::{random, warp};
-use scn::render::geometry::{Geometry, Hit, Owner, Point, Ray, Shapes, Triangle, between};
+use glam::{DAffine3, DVec3, Vec2, Vec3};
+use scn::math::{Mesh, Transform, random, warp};
+use scn::render::geometry::{
+    Bounds, Geometry, Hit, Instance, Owner, Placement, Point, Ray, Shapes, Triangle, between,
+};
 
 /// Rays of the camera along each side of its picture.
 const SIDE: u32 = 300;
@@ -66,7 +69,10 @@ fn shadow(bencher: Bencher, portable: bool) {
 }
 
 fn closest(bencher: Bencher, portable: bool, rays: &[Ray]) {
-    let geometry = &SCENE.geometry[usize::from(portable)];
+    meet(bencher, &SCENE.geometry[usize::from(portable)], rays);
+}
+
+fn meet(bencher: Bencher, geometry: &Geometry, rays: &[Ray]) {
     bencher.counter(ItemsCount::new(rays.len())).bench_local(|| {
         rays.iter().filter(|ray| black_box(geometry.closest(black_box(ray))).is_some()).count()
     });
@@ -94,7 +100,14 @@ fn to_lamp((i, (_, hit)): (u64, &(Ray, Hit))) -> Ray {
 fn shapes() -> Shapes {
     let mut shapes = Shapes::new();
     let owner = Owner::default();
-    bunny(&mut shapes, owner);
+    let (positions, triangles) = bunny();
+    let lowest = positions.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+    let floor = Vec3::new(0.0, -lowest as f32 - HALF, 0.0);
+    let corners: Vec<u32> = positions.iter().map(|p| shapes.vertex(p.as_vec3() + floor)).collect();
+    for triangle in triangles {
+        let corners = triangle.map(|i| corners[i as usize]);
+        shapes.triangle(Triangle { corners, normals: None, owner });
+    }
     let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| HALF * axis);
     for (at, u, v) in [(-x, y, z), (x, z, y), (-y, z, x), (y, x, z), (-z, x, y)] {
         let corners = [-u - v, u - v, u + v, v - u].map(|side| shapes.vertex(at + side));
@@ -103,29 +116,79 @@ fn shapes() -> Shapes {
     shapes
 }
 
-/// The bunny, 1 at its longest, on the floor.
-fn bunny(shapes: &mut Shapes, owner: Owner) {
+/// Rows of bunnies, [`ROWS`]³ of them, in a cube of side 2.
+static ROWS_OF_BUNNIES: LazyLock<[(Geometry, Vec<Ray>, Vec<Ray>); 2]> =
+    LazyLock::new(|| [true, false].map(rows));
+
+const ROWS: u32 = 4;
+
+#[divan::bench(args = ["instances", "copies"])]
+fn rows_primary(bencher: Bencher, as_what: &str) {
+    let (geometry, primary, _) = &ROWS_OF_BUNNIES[usize::from(as_what == "copies")];
+    meet(bencher, geometry, primary);
+}
+
+#[divan::bench(args = ["instances", "copies"])]
+fn rows_diffuse(bencher: Bencher, as_what: &str) {
+    let (geometry, _, diffuse) = &ROWS_OF_BUNNIES[usize::from(as_what == "copies")];
+    meet(bencher, geometry, diffuse);
+}
+
+/// With the rays of the camera, and those from where they end.
+fn rows(as_instances: bool) -> (Geometry, Vec<Ray>, Vec<Ray>) {
+    let mut shapes = Shapes::new();
+    let (positions, triangles) = bunny();
+    let mesh = shapes.mesh(Arc::new(Mesh { positions, triangles, ..Mesh::default() }));
+    let (positions, triangles) = bunny();
+    for number in 0..ROWS.pow(3) {
+        let at = [number % ROWS, number / ROWS % ROWS, number / (ROWS * ROWS)];
+        let at = DVec3::from_array(at.map(|i| (f64::from(i) + 0.5) * 2.0 / f64::from(ROWS) - 1.0));
+        let turn = DAffine3::from_rotation_y(f64::from(number));
+        let place = DAffine3::from_translation(at) * DAffine3::from_scale(DVec3::splat(0.4)) * turn;
+        let (centre, scale) = (DVec3::ZERO, 1.0);
+        let placement = Placement { place: Transform(place), centre, scale };
+        let corners: Vec<Vec3> = positions.iter().map(|p| placement.vertex(*p)).collect();
+        if as_instances {
+            let bounds = corners.iter().map(|p| Bounds { min: *p, max: *p });
+            let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);
+            let materials = vec![0];
+            shapes.instance(Instance { mesh, placement, bounds, object: number, materials });
+        } else {
+            let owner = Owner { object: number, material: 0 };
+            let corners: Vec<u32> = corners.into_iter().map(|p| shapes.vertex(p)).collect();
+            for triangle in &triangles {
+                let corners = triangle.map(|i| corners[i as usize]);
+                shapes.triangle(Triangle { corners, normals: None, owner });
+            }
+        }
+    }
+    let geometry = Geometry::build(shapes);
+    let primary: Vec<Ray> = (0..SIDE * SIDE).map(camera).collect();
+    let hits: Vec<(Ray, Hit)> =
+        primary.iter().filter_map(|ray| Some((*ray, geometry.closest(ray)?))).collect();
+    let diffuse = (0..).zip(&hits).map(bounce).collect();
+    (geometry, primary, diffuse)
+}
+
+/// Vertices and triangles of the bunny, 1 at its longest, around the origin.
+fn bunny() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let text = include_str!("../models/bunny.obj");
     let rest = |kind: &'static str| text.lines().filter_map(move |line| line.strip_prefix(kind));
-    let positions: Vec<Vec3> = rest("v ")
+    let positions: Vec<DVec3> = rest("v ")
         .map(|line| {
             let mut numbers = line.split_whitespace().filter_map(|word| word.parse().ok());
-            Vec3::from_array(std::array::from_fn(|_| numbers.next().unwrap_or(0.0)))
+            DVec3::from_array(std::array::from_fn(|_| numbers.next().unwrap_or(0.0)))
         })
         .collect();
-    let low = positions.iter().copied().fold(Vec3::INFINITY, Vec3::min);
-    let high = positions.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
+    let low = positions.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+    let high = positions.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
     let (middle, scale) = ((low + high) / 2.0, 1.0 / (high - low).max_element());
-    let floor = Vec3::new(0.0, scale * (high.y - low.y) / 2.0 - HALF, 0.0);
-    for p in &positions {
-        shapes.vertex((*p - middle) * scale + floor);
-    }
+    let positions = positions.into_iter().map(|p| (p - middle) * scale).collect();
+    let mut triangles = Vec::new();
     for line in rest("f ") {
         let index = |word: &str| word.split('/').next()?.parse::<u32>().ok()?.checked_sub(1);
         let corners: Vec<u32> = line.split_whitespace().filter_map(index).collect();
-        for k in 1..corners.len().saturating_sub(1) {
-            let corners = [corners[0], corners[k], corners[k + 1]];
-            shapes.triangle(Triangle { corners, normals: None, owner });
-        }
+        triangles.extend(corners.windows(2).skip(1).map(|edge| [corners[0], edge[0], edge[1]]));
     }
+    (positions, triangles)
 }

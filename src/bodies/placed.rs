@@ -88,7 +88,7 @@ pub fn place<'a>(stage: &'a Stage, found: &mut Vec<Diagnostic>) -> Vec<Placed<'a
             (other, _) => material(other).map(|m| scene.material(m)).into_iter().collect(),
         };
         let parts = materials.iter().map(|material| scene.parts(material)).collect();
-        let bounds = body.bounds();
+        let bounds = body.bounds(mesh.as_ref());
         let placed = Placed { number: number as u32, object, body, materials, parts, bounds };
         if placed.is_within_numbers() {
             all.push(placed);
@@ -233,11 +233,10 @@ impl Body<'_> {
         }
     }
 
-    fn bounds(&self) -> Bounds {
+    fn bounds(&self, staged: Option<&StagedMesh>) -> Bounds {
         match self {
             Body::Mesh { mesh, to_metres } => {
-                let corners = mesh.triangles.iter().flatten();
-                Bounds::around(corners.map(|i| to_metres.point(mesh.positions[*i as usize])))
+                staged.map_or(Bounds::EMPTY, |staged| staged.reach.bounds(mesh, *to_metres))
             }
             Body::Face { corners, .. } => Bounds::around(corners.iter().copied()),
             Body::Sphere { centre, radius, .. } => {

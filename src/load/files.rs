@@ -12,12 +12,14 @@ use super::tidy;
 use crate::diag::{Diagnostic, FileId, Sources, Span};
 use crate::files::{Failure, regular};
 use crate::files::{mtl as mtl_file, obj, texture as texture_file};
-use crate::math::{Mesh, Progress, Texels};
+use crate::math::{Mesh, Progress, Reach, Texels};
 
 /// A mesh that was read.
 pub(super) struct ObjFile {
     /// Its triangles without degenerate and repeated ones.
     pub mesh: Arc<Mesh>,
+    /// How far it reaches.
+    pub reach: Arc<Reach>,
     /// For each slot of the mesh, where the file names it.
     pub slots: Vec<obj::Excerpt>,
     /// The .mtl files it names, and where.
@@ -182,6 +184,7 @@ impl<'a> Shelf<'a> {
             return None;
         }
         Some(ObjFile {
+            reach: Arc::new(Reach::of(&tidy.mesh)),
             mesh: Arc::new(tidy.mesh),
             slots: tidy.slots.iter().map(|slot| obj.slots[*slot as usize].clone()).collect(),
             libraries: obj.libraries,

@@ -120,7 +120,8 @@ impl Desk<'_, '_> {
             self.missing_material(object, mesh, &obj, slot, libraries.as_deref().unwrap_or(&[]));
             whole = false;
         }
-        whole.then(|| StagedMesh { mesh: obj.mesh.clone(), materials: staged })
+        let (mesh, reach) = (obj.mesh.clone(), obj.reach.clone());
+        whole.then_some(StagedMesh { mesh, reach, materials: staged })
     }
 
     /// Both ways to replace materials cannot hold at once.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::diag::Span;
-use crate::math::{Mesh, Texels, Values};
+use crate::math::{Mesh, Reach, Texels, Values};
 use crate::scene::{Encoding, Material, Medium, Named, Ref, Scene, Texture};
 
 /// A scene, and what its files hold. Nothing is placed or scaled yet.
@@ -32,6 +32,8 @@ pub struct Stage {
 pub struct StagedMesh {
     /// The triangles, in file units; no duplicated and no degenerate ones.
     pub mesh: Arc<Mesh>,
+    /// How far the mesh reaches.
+    pub reach: Arc<Reach>,
     /// One for each of `mesh.material_names`: what the .mtl says or the scene says in its place.
     pub materials: Vec<Named<Material>>,
 }

@@ -1,5 +1,6 @@
 //! The features of the renderer, and which of them a scene requires.
 
+use super::instances::{self, Copies};
 use super::survey::Survey;
 use crate::diag::Span;
 use crate::load::Stage;
@@ -14,6 +15,8 @@ pub enum Feature {
     ShadowRays,
     /// Random numbers for each light at every hit.
     LampPoints,
+    /// A mesh that stands at several places is kept once.
+    Instances,
     /// Normals at the corners of triangles are kept, and read at every hit.
     Normals,
     /// Where on its surface a hit lies.
@@ -24,10 +27,11 @@ pub enum Feature {
 
 impl Feature {
     /// All of them, in the order in which they are told.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Lights,
         Self::ShadowRays,
         Self::LampPoints,
+        Self::Instances,
         Self::Normals,
         Self::Coordinates,
         Self::Paths,
@@ -39,6 +43,7 @@ impl Feature {
             Self::Lights => "lights",
             Self::ShadowRays => "shadow_rays",
             Self::LampPoints => "lamp_points",
+            Self::Instances => "instances",
             Self::Normals => "normals",
             Self::Coordinates => "coordinates",
             Self::Paths => "paths",
@@ -51,6 +56,7 @@ impl Feature {
             Self::Lights => "light on surfaces",
             Self::ShadowRays => "shadow rays",
             Self::LampPoints => "points on lamps",
+            Self::Instances => "instances",
             Self::Normals => "smooth normals",
             Self::Coordinates => "texture coordinates",
             Self::Paths => "paths told apart",
@@ -87,6 +93,8 @@ pub struct Answer {
 pub struct Plan {
     /// One for each feature, in their order.
     pub answers: Vec<Answer>,
+    /// Objects whose meshes can be kept once, mesh by mesh.
+    pub copies: Vec<Copies>,
     /// Whether what the scene does not need is built all the same.
     pub forced: bool,
 }
@@ -100,24 +108,33 @@ impl Plan {
     /// What a stage would require with another integrator.
     pub fn with(stage: &Stage, integrator: &Integrator) -> Self {
         let (survey, at) = (Survey::of(stage), stage.scene.integrator.span);
+        let copies = instances::copies(&survey);
         let asked = Asked { survey, integrator, at };
         let answers = Feature::ALL.map(|feature| {
             let (need, why, at) = match feature {
                 Feature::Lights => asked.lights(),
                 Feature::ShadowRays => asked.shadow_rays(),
                 Feature::LampPoints => asked.lamp_points(),
+                Feature::Instances => instances::answer(stage, &copies),
                 Feature::Normals => normals(stage),
                 Feature::Coordinates => asked.coordinates(),
                 Feature::Paths => paths(stage, integrator),
             };
             Answer { feature, need, why, at }
         });
-        Self { answers: answers.to_vec(), forced: false }
+        Self { answers: answers.to_vec(), copies, forced: false }
     }
 
     /// The same with everything put in that does not change the picture.
     pub fn forced(self) -> Self {
         Self { forced: true, ..self }
+    }
+
+    /// Whether an object is an instance: its mesh is kept once, for all that are of it.
+    pub fn is_instance(&self, object: usize) -> bool {
+        let of = |copies: &&Copies| copies.objects.binary_search(&object).is_ok();
+        let copies = self.copies.iter().find(of);
+        copies.is_some_and(|copies| self.forced || copies.is_worth_it())
     }
 
     /// Whether a feature is put in.

@@ -9,6 +9,7 @@ pub mod daylight;
 mod textures;
 mod survey;
 mod features;
+mod instances;
 mod spectra;
 mod dispersion;
 mod paths;
@@ -17,5 +18,6 @@ pub mod errors;
 
 pub use bias::{Bias, Kind, biases};
 pub use features::{Answer, Feature, Need, Plan};
+pub use instances::Copies;
 pub use paths::{Chosen, Unmet};
 pub use textures::{largest, largest_of};

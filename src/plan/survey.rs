@@ -1,5 +1,8 @@
 //! What a plan looks at: the surfaces of a stage with their materials, and what shines on them.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::daylight::Daylight;
@@ -41,6 +44,7 @@ impl<'a> Survey<'a> {
     pub fn of(stage: &'a Stage) -> Self {
         let scene = &*stage.scene;
         let mut surfaces = Vec::new();
+        let mut slots_in_use = BTreeMap::new();
         for (object, mesh) in scene.objects.iter().zip(&stage.meshes) {
             let material = match &object.value.value {
                 Object::Disk(disk) => &disk.material,
@@ -50,15 +54,10 @@ impl<'a> Survey<'a> {
                 Object::Triangle(triangle) => &triangle.material,
                 Object::Mesh(_) => {
                     let Some(mesh) = mesh else { continue };
-                    let slots = &mesh.mesh.slots;
-                    // Without slots every triangle has the first material.
-                    let mut used = vec![slots.is_empty(); mesh.materials.len()];
-                    for slot in slots {
-                        if let Some(used) = used.get_mut(*slot as usize) {
-                            *used = true;
-                        }
-                    }
-                    let used = mesh.materials.iter().zip(used).filter(|(_, used)| *used);
+                    let used = slots_in_use
+                        .entry(Arc::as_ptr(&mesh.mesh))
+                        .or_insert_with(|| in_use(&mesh.mesh.slots, mesh.materials.len()));
+                    let used = mesh.materials.iter().zip(&*used).filter(|(_, used)| **used);
                     let parts = used.flat_map(|(material, _)| scene.parts(material));
                     surfaces.extend(parts.map(|(_, part)| Surface::new(stage, object, part)));
                     continue;
@@ -197,6 +196,18 @@ impl<'a> Survey<'a> {
             }
         }
     }
+}
+
+/// Which of so many slots triangles have.
+fn in_use(slots: &[u32], count: usize) -> Vec<bool> {
+    // Without slots every triangle has the first material.
+    let mut used = vec![slots.is_empty(); count];
+    for slot in slots {
+        if let Some(used) = used.get_mut(*slot as usize) {
+            *used = true;
+        }
+    }
+    used
 }
 
 /// Clearly outside: rounding does not matter.

@@ -8,6 +8,7 @@ mod camera;
 mod daylight;
 mod errors;
 mod film;
+mod instances;
 mod integrator;
 mod lights;
 mod materials;
@@ -103,6 +104,10 @@ pub struct Summary {
     pub slivers: u64,
     /// Memory of the geometry, in bytes.
     pub bytes: u64,
+    /// Objects that are instances.
+    pub instances: u64,
+    /// About what the geometry would take if they were copies, in bytes.
+    pub bytes_of_copies: u64,
     /// Memory of the pictures of textures, in bytes.
     pub texture_bytes: u64,
 }
@@ -189,7 +194,7 @@ fn assemble(
     let lights = lights::plain(scene, &space, light_unit, &mut found);
     let integrator = integrator::prepare(&scene.integrator, plan, space.length(1.0));
     integrator::check(&scene.integrator, &mut found);
-    let shapes = shapes::assemble(&bodies, &space, &materials, plan, progress, &mut found);
+    let shapes = shapes::assemble(stage, &bodies, &space, &materials, plan, progress, &mut found);
     lights::check(scene, (&bodies, &shapes), &lights, &mut found);
     let window = film::window(&scene.film, settings);
     let camera = camera::prepare(scene, &bodies, &space, settings, &mut found);
@@ -220,14 +225,25 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         parts.light_unit,
     );
     let triangles: u64 = objects.iter().map(|object| object.triangles).sum();
-    let primitives = (triangles + other_shapes).max(1);
+    let instances = || objects.iter().filter(|object| object.instance);
+    let instanced: u64 = instances().map(|object| object.triangles).sum();
     let bytes = geometry.bytes() as u64;
+    let [kept_once, as_copies] = geometry.bytes_of_instances().map(|bytes| bytes as u64);
+    let part = |bytes: u64, count: u64, of: u64| {
+        (u128::from(bytes) * u128::from(count) / u128::from(of.max(1))) as u64
+    };
     let note = |(object, counted): (&crate::scene::Named<_>, &shapes::Counted)| ObjectNote {
         name: object.name.value.clone(),
         span: object.name.span,
         triangles: counted.triangles,
-        bytes: (u128::from(bytes) * u128::from(counted.triangles + counted.others)
-            / u128::from(primitives)) as u64,
+        bytes: match counted.instance {
+            true => part(kept_once, counted.triangles, instanced),
+            false => part(
+                bytes - kept_once,
+                counted.triangles + counted.others,
+                triangles - instanced + other_shapes,
+            ),
+        },
     };
     let summary = Summary {
         triangles,
@@ -236,6 +252,8 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         lights: shining as u64,
         slivers,
         bytes,
+        instances: instances().count() as u64,
+        bytes_of_copies: bytes - kept_once + as_copies,
         texture_bytes: textures::bytes(stage),
     };
     Prepared {

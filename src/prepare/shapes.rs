@@ -5,11 +5,13 @@ use std::collections::BTreeMap;
 use glam::{DVec3, Vec3};
 
 use super::errors::scene as errors;
+use super::instances::Meshes;
 use super::lights::LampParts;
 use super::materials::Table;
 use super::space::Space;
 use crate::bodies::{Body, Placed};
 use crate::diag::Diagnostic;
+use crate::load::Stage;
 use crate::math::{Mesh, Progress, Transform};
 use crate::plan::{Feature, Plan};
 use crate::render::geometry::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
@@ -21,7 +23,7 @@ pub(super) struct Assembled {
     pub lamps: Vec<LampParts>,
     /// One for each object of the scene.
     pub objects: Vec<Counted>,
-    /// Triangles dropped.
+    /// Triangles dropped; those of instances are not looked for.
     pub slivers: u64,
 }
 
@@ -31,6 +33,8 @@ pub(super) struct Counted {
     pub triangles: u64,
     /// Spheres, disks and planes.
     pub others: u64,
+    /// Whether its triangles are those of an instance.
+    pub instance: bool,
 }
 
 /// Least area of a triangle that is kept, in square world units: the least normal f32. Below it
@@ -47,6 +51,7 @@ const FARTHEST_PLANE: f64 = 1e15;
 
 /// Puts every body into world space.
 pub(super) fn assemble(
+    stage: &Stage,
     bodies: &[Placed],
     space: &Space,
     materials: &Table,
@@ -63,13 +68,30 @@ pub(super) fn assemble(
         objects: vec![Counted::default(); count],
         slivers: 0,
     };
-    let triangles: usize = bodies.iter().map(|placed| placed.body.triangles()).sum();
+    let mut meshes = Meshes::new(stage, plan, space);
+    let copied = || bodies.iter().filter(|placed| meshes.placement(placed).is_none());
+    let triangles: usize = copied().map(|placed| placed.body.triangles()).sum();
     if triangles >= MOST_TRIANGLES {
         found.push(errors::too_many_triangles(triangles, MOST_TRIANGLES));
         return all;
     }
+    let (vertices, corner_normals) = copied().fold((0, 0), |sum, placed| {
+        let (vertices, normals) = vectors(&placed.body);
+        (sum.0 + vertices, sum.1 + normals)
+    });
+    all.shapes.reserve(vertices, corner_normals, triangles);
     for (done, placed) in bodies.iter().enumerate() {
         progress.advance(done as u64, bodies.len() as u64);
+        if let Some(placement) = meshes.placement(placed) {
+            meshes.put(placed, placement, materials, &mut all.shapes);
+            let triangles = placed.body.triangles() as u64;
+            let counted = Counted { triangles, instance: true, ..Counted::default() };
+            all.objects[placed.number as usize] = counted;
+            if !space.tells(placed) {
+                found.push(errors::too_small(placed.name()));
+            }
+            continue;
+        }
         let mut one = One {
             placed,
             space,
@@ -91,6 +113,15 @@ pub(super) fn assemble(
     }
     progress.advance(bodies.len() as u64, bodies.len() as u64);
     all
+}
+
+/// How many vertices a body has, and how many normals at them.
+fn vectors(body: &Body) -> (usize, usize) {
+    match body {
+        Body::Mesh { mesh, .. } => (mesh.positions.len(), mesh.normals.len()),
+        Body::Face { corners, .. } => (corners.len(), 0),
+        _ => (0, 0),
+    }
 }
 
 /// Triangles beyond which a scene is refused: they would need some 20 GB.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, dvec3};
 use scn::load::StagedMesh;
-use scn::math::{Mesh, Spectrum};
+use scn::math::{Mesh, Reach, Spectrum};
 use scn::scene::{self, Named, Place, Step};
 
 use super::{Hand, at, diffuse};
@@ -74,7 +74,8 @@ impl Hand {
             ambient: at(None),
             place: at(Place::default()),
         }));
-        *self.meshes.last_mut().unwrap() = Some(StagedMesh { mesh: Arc::new(mesh), materials });
+        let (reach, mesh) = (Arc::new(Reach::of(&mesh)), Arc::new(mesh));
+        *self.meshes.last_mut().unwrap() = Some(StagedMesh { mesh, reach, materials });
         self
     }
 

@@ -75,6 +75,10 @@ fn need<S: serde::Serializer>(need: &Need, serializer: S) -> Result<S::Ok, S::Er
 struct Memory {
     objects: Vec<OfObject>,
     geometry: u64,
+    /// About what it would take if instances were copies; the same where there are none.
+    copied: u64,
+    /// Objects that are instances.
+    instances: u64,
     /// Pictures of textures.
     textures: u64,
     /// Sums of the film, the picture and its standard error.
@@ -232,6 +236,8 @@ fn one(
         memory: Memory {
             objects: objects.collect(),
             geometry: prepared.summary.bytes,
+            copied: prepared.summary.bytes_of_copies,
+            instances: prepared.summary.instances,
             textures: prepared.summary.texture_bytes,
             film,
             peak: loaded.map(|peak| peak.saturating_add(film)),

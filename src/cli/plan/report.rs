@@ -53,8 +53,12 @@ fn memory(planned: &Planned) -> Vec<String> {
         0 => String::new(),
         bytes => format!("textures {}, ", size(bytes)),
     };
+    let copied = match memory.instances {
+        0 => String::new(),
+        _ => format!(" (without instances about {})", size(memory.copied)),
+    };
     let mut all = vec![format!(
-        "geometry {}, {textures}film {}; the process {} at most",
+        "geometry {}{copied}, {textures}film {}; the process {} at most",
         size(memory.geometry),
         size(memory.film),
         memory.peak.map_or("an unknown amount".to_string(), size)

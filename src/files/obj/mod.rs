@@ -7,6 +7,7 @@
 mod assemble;
 mod faults;
 mod fan;
+mod pipe;
 mod scan;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -42,12 +43,12 @@ pub fn parse(bytes: &[u8], progress: &dyn Progress) -> Result<Reading, Failure> 
     if let Some(other) = stranger(bytes) {
         return Err(Failure::new(other));
     }
-    let mut scan = scan::Scan::new(bytes, progress);
+    let scan = scan::Scan::new(bytes, progress);
     let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
     let no_materials = |_: &std::path::Path| Ok(Default::default());
-    let read =
-        catch_unwind(AssertUnwindSafe(|| tobj::load_obj_buf(&mut scan, &options, no_materials)));
-    let found = scan.finish();
+    let (read, found) = pipe::side_by_side(scan, |clean| {
+        catch_unwind(AssertUnwindSafe(|| tobj::load_obj_buf(clean, &options, no_materials)))
+    })?;
     if found.understood == 0 && found.unknown > 0 {
         let materials = |n: &Notice| n.what == Unread::Unknown("newmtl".into());
         return Err(Failure::new(if found.notices.iter().any(materials) {

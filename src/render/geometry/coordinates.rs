@@ -16,8 +16,10 @@ const NONE: [u32; 3] = [u32::MAX; 3];
 #[derive(Clone, Debug, Default)]
 pub(super) struct Coordinates {
     corners: Vec<Vec2>,
-    /// By the number of the triangle; as far as any has some.
+    /// From the first triangle that has some to the last.
     triangles: Vec<[u32; 3]>,
+    /// The number of that first one.
+    first: usize,
     /// By primitive, once sorted.
     charts: Vec<(Primitive, DAffine3)>,
 }
@@ -31,10 +33,15 @@ impl Coordinates {
     pub fn lay(&mut self, triangle: Primitive, corners: [u32; 3]) {
         let within = corners.iter().all(|i| (*i as usize) < self.corners.len());
         assert!(within, "coordinates are pushed before their use");
-        if self.triangles.len() <= triangle.index() {
-            self.triangles.resize(triangle.index() + 1, NONE);
+        if self.triangles.is_empty() {
+            self.first = triangle.index();
         }
-        self.triangles[triangle.index()] = corners;
+        assert!(triangle.index() >= self.first, "triangles have theirs in their order");
+        let place = triangle.index() - self.first;
+        if self.triangles.len() <= place {
+            self.triangles.resize(place + 1, NONE);
+        }
+        self.triangles[place] = corners;
     }
 
     pub fn chart(&mut self, primitive: Primitive, chart: DAffine3) {
@@ -43,6 +50,8 @@ impl Coordinates {
 
     /// To be called before coordinates are asked.
     pub fn sort(&mut self) {
+        self.corners.shrink_to_fit();
+        self.triangles.shrink_to_fit();
         self.charts.sort_unstable_by_key(|(primitive, _)| *primitive);
     }
 
@@ -50,7 +59,7 @@ impl Coordinates {
     /// triangle, and its coordinates if it has no others.
     pub fn at(&self, primitive: Primitive, position: Vec3, weights: Vec2) -> DVec2 {
         if primitive.kind() == Kind::Triangle {
-            return match self.triangles.get(primitive.index()) {
+            return match self.triangles.get(primitive.index().wrapping_sub(self.first)) {
                 Some(corners) if *corners != NONE => {
                     let [a, b, c] = corners.map(|i| self.corners[i as usize].as_dvec2());
                     let [u, v] = weights.as_dvec2().to_array();

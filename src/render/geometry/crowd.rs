@@ -41,6 +41,12 @@ impl Crowd {
         self.all.is_empty()
     }
 
+    /// What the same would take as copies, in bytes.
+    pub fn bytes_of_copies(&self) -> usize {
+        let of = |one: &Standing| self.templates[one.template as usize].bytes_of_copy();
+        self.all.iter().map(of).sum()
+    }
+
     /// Memory held, in bytes; the meshes are part of it.
     pub fn bytes(&self) -> usize {
         self.templates.iter().map(Template::bytes).sum::<usize>()
@@ -162,7 +168,7 @@ struct Inner {
     /// World parameter where it begins, and its own parameter per unit of the world's.
     start: f64,
     pace: f64,
-    /// How far boxes and ray are off, along each axis; and how far corners and its origin.
+    /// How far boxes and ray are off, along each axis; and how far corners and its line.
     off: Vec3A,
     corners_off: f32,
 }
@@ -170,10 +176,11 @@ struct Inner {
 /// More than from the middle of a template to its corners.
 const AROUND: f64 = 2.0;
 
-/// What the rounding of a ray to f32 moves its points by, on its way through a template, and its
-/// origin alone, in parts of the template's size; and what f64 loses on the way of the origin.
+/// What the rounding of a ray to f32 moves its points by, on its way through a template, in parts of
+/// the template's size: for boxes, and for blocks, whose own bound doubles it; and what f64 loses on
+/// the way of the origin.
 const RAY_ERROR: f64 = 8.0 * f32::EPSILON as f64;
-const ORIGIN_ROUNDED: f64 = 2.0 * f32::EPSILON as f64;
+const LINE_ERROR: f64 = 4.0 * f32::EPSILON as f64;
 const ORIGIN_ERROR: f64 = 64.0 * f64::EPSILON;
 
 impl Inner {
@@ -195,7 +202,7 @@ impl Inner {
         }
         let begin = (way - around).max(0.0);
         let origin = origin + begin * direction;
-        let corners = standing.off_f32() + Vec3A::splat((ORIGIN_ROUNDED * around + loose) as f32);
+        let corners = standing.off_f32() + Vec3A::splat((LINE_ERROR * around + loose) as f32);
         let off = corners + Vec3A::splat((RAY_ERROR * around) as f32);
         let corners_off = corners.max_element();
         Some(Self {

@@ -124,6 +124,11 @@ impl Geometry {
         self.shapes.bytes() + self.tree.bytes() + self.crowd.bytes()
     }
 
+    /// The part of it that instances and their meshes hold; and what they would hold as copies.
+    pub fn bytes_of_instances(&self) -> [usize; 2] {
+        [self.crowd.bytes(), self.crowd.bytes_of_copies()]
+    }
+
     /// The shapes it was built from.
     pub fn shapes(&self) -> &Shapes {
         &self.shapes

@@ -144,6 +144,17 @@ impl Shapes {
         Self { keeps_normals: true, ..self }
     }
 
+    /// Makes room for so many vertices, normals and triangles, and no more than that.
+    pub fn reserve(&mut self, vertices: usize, normals: usize, triangles: usize) {
+        self.vertices.reserve_exact(vertices);
+        self.normals.reserve_exact(normals);
+        self.triangles.reserve_exact(triangles);
+        self.triangle_owners.reserve_exact(triangles);
+        if self.keeps_normals {
+            self.triangle_normals.reserve_exact(triangles);
+        }
+    }
+
     /// Adds a vertex position, world units, and gives its index.
     pub fn vertex(&mut self, position: Vec3) -> u32 {
         assert!(self.vertices.len() < Self::MOST, "prepare counts its vertices");
@@ -223,7 +234,8 @@ impl Shapes {
         self.coordinates.corner(uv)
     }
 
-    /// Gives a triangle the texture coordinates of its corners, by index.
+    /// Gives a triangle the texture coordinates of its corners, by index. Triangles get theirs in the
+    /// order in which they were pushed.
     pub fn lay(&mut self, triangle: Primitive, corners: [u32; 3]) {
         self.coordinates.lay(triangle, corners);
     }

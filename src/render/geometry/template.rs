@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DVec3, Vec2, Vec3};
 
 use super::block::Block;
 use super::node::Node;
@@ -43,6 +43,21 @@ impl Template {
         let Tree { nodes, blocks, .. } = Tree::of_all(&shapes);
         let farthest = bounds.min.abs().max(bounds.max.abs());
         Self { mesh: mesh.clone(), centre, scale, farthest, nodes, blocks }
+    }
+
+    /// What a copy of it takes among the shapes of a world and in their tree, in bytes; about, since
+    /// copies have nodes in common.
+    pub fn bytes_of_copy(&self) -> usize {
+        let mesh = &*self.mesh;
+        let vectors = mesh.positions.len() + mesh.normals.len();
+        let a_triangle = size_of::<Owner>() + size_of::<[u32; 3]>();
+        self.nodes.len() * size_of::<Node>()
+            + self.blocks.len() * size_of::<Block>()
+            + vectors * size_of::<Vec3>()
+            + mesh.triangles.len() * a_triangle
+            + mesh.normal_indices.len() * size_of::<[u32; 3]>()
+            + mesh.coordinates.len() * size_of::<Vec2>()
+            + mesh.coordinate_indices.len() * size_of::<[u32; 3]>()
     }
 
     /// Memory held, in bytes; the mesh is part of it.

@@ -1,4 +1,4 @@
-//! Checks every statement of an .obj file, and hands the clean ones to tobj as it asks for them.
+//! Checks every statement of an .obj file, and makes a text of the clean ones for tobj.
 //!
 //! The clean text holds `v`, `vn` and `f` alone, with indices that count from 1, each face
 //! beginning at the corner its fan begins with. Materials stay here: all faces are one model.
@@ -6,7 +6,6 @@
 mod faces;
 
 use std::collections::HashMap;
-use std::io::{self, BufRead, Read};
 use std::ops::Range;
 
 use glam::{DVec3, Vec2};
@@ -46,7 +45,7 @@ pub(super) struct Found {
     pub unknown: u64,
 }
 
-/// A reader of clean text.
+/// Makes clean text.
 pub(super) struct Scan<'a> {
     bytes: &'a [u8],
     progress: &'a dyn Progress,
@@ -55,7 +54,6 @@ pub(super) struct Scan<'a> {
     corners: Vec<Corner>,
     fan: Vec<DVec3>,
     clean: Vec<u8>,
-    taken: usize,
     positions: Vec<DVec3>,
     normals: usize,
     /// The largest index of each kind that was ahead of its time.
@@ -78,7 +76,6 @@ impl<'a> Scan<'a> {
             corners: Vec::new(),
             fan: Vec::new(),
             clean: Vec::new(),
-            taken: 0,
             positions: Vec::new(),
             normals: 0,
             ahead: [0; 3],
@@ -100,7 +97,17 @@ impl<'a> Scan<'a> {
         }
     }
 
-    /// Scans what tobj left, and tells what was found.
+    /// The next piece of clean text; None at the end of the file.
+    pub fn next_piece(&mut self) -> Option<Vec<u8>> {
+        while self.scan_piece() {
+            if !self.clean.is_empty() {
+                return Some(std::mem::take(&mut self.clean));
+            }
+        }
+        Some(std::mem::take(&mut self.clean)).filter(|last| !last.is_empty())
+    }
+
+    /// Scans what is left, and tells what was found.
     pub fn finish(mut self) -> Found {
         while self.scan_piece() {}
         self.check_ahead();
@@ -121,7 +128,6 @@ impl<'a> Scan<'a> {
     /// Makes a piece of clean text; false at the end of the file.
     fn scan_piece(&mut self) -> bool {
         self.clean.clear();
-        self.taken = 0;
         let mut words = std::mem::take(&mut self.words);
         let begin = self.lines.position();
         let mut more = true;
@@ -321,23 +327,4 @@ impl<'a> Scan<'a> {
 /// From the first word to the last.
 fn whole(words: &[Range<usize>]) -> Range<usize> {
     words[0].start..words[words.len() - 1].end
-}
-
-impl BufRead for Scan<'_> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        while self.taken == self.clean.len() && self.scan_piece() {}
-        Ok(&self.clean[self.taken..])
-    }
-
-    fn consume(&mut self, amount: usize) {
-        self.taken += amount;
-    }
-}
-
-impl Read for Scan<'_> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.fill_buf()?.read(buffer)?;
-        self.consume(count);
-        Ok(count)
-    }
 }
