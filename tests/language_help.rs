@@ -130,6 +130,10 @@ fn units_that_a_place_can_have_are_offered() {
         (day("day: 1, time: 12.3456"), "help: write `12.3456 h`\n"),
         (day("day: 1, time: 12:00, zone: 2"), "help: write `2 h` or `2:00`\n"),
         (day("day: 1, time: 12:00, zone: -2"), "help: write `-2 h`\n"),
+        (
+            "light a: preetham { turbidity: 20, latitude: 5 deg, day: 1, time: 9:00 }".to_string(),
+            "write 2 for very clear air",
+        ),
         (day("day: 1, time: 12:00, zone: 90 deg"), "did you mean `6 h`?"),
         (day("day: 1, time: 12:00, longitude: 1 h"), "did you mean `15 deg`?"),
         ("stop: { time: 60 }".to_string(), "help: write `60 s`, `60 min` or `60 h`\n"),
@@ -163,6 +167,47 @@ fn what_is_offered_is_of_the_language() {
             panic!("{text}\n{}", common::show(told, &sources));
         }
     }
+}
+
+#[test]
+fn an_operator_without_a_value_is_told_where_it_stands() {
+    for text in [
+        "let a = 1 +\nfilm: { size: (8, 8) }",
+        "let a = 1 m *\nobject b: sphere { center: (0, 0, 0), radius: a, material: mirror }",
+        "film.exposure: 2 ev -\n\nfilm.size: (8, 8)",
+    ] {
+        let told = only(text);
+        assert!(told.starts_with("a value is missing after this `"), "{text}\n{told}");
+        assert!(told.contains("scene.scn:3:"), "{text}\n{told}");
+    }
+}
+
+#[test]
+fn of_an_unknown_edition_nothing_else_is_told() {
+    let (compiled, sources) = common::compile("scn 2 in m\nobject a { radius }\nlet x = y\n");
+    let told: Vec<_> = compiled.diagnostics.iter().map(|it| common::show(it, &sources)).collect();
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(told[0].contains("reads edition 1 alone"), "{told:?}");
+}
+
+#[test]
+fn a_chain_of_mixtures_has_a_bound_that_is_told_once() {
+    let within = |depth: usize| {
+        let mut text = "diffuse { albedo: 0.5 }".to_string();
+        (0..depth)
+            .for_each(|_| text = format!("mix {{ first: {text}, second: mirror, amount: 1 }}"));
+        format!("scn 1 in m\nintegrator: preview\nmaterial a: {text}\n")
+    };
+    let (compiled, _) = common::compile(&within(40));
+    assert!(compiled.diagnostics.iter().all(|told| told.level != Level::Error));
+    let chain: String = (1..70)
+        .map(|i| {
+            let before = i - 1;
+            format!("material m{i}: mix {{ first: m{before}, second: mirror, amount: 1 }}\n")
+        })
+        .collect();
+    let told = only(&format!("material m0: mirror\n{chain}"));
+    assert!(told.starts_with("more than 64 materials are made of each other in a row"), "{told}");
 }
 
 #[test]

@@ -13,11 +13,14 @@ use scn::scene::AreaLights;
 
 use by_hand::{Hand, Patient, direct, integrator, render, still_life};
 
+/// The most samples of a pixel: a picture that differs does so from its first paths on.
+const SAMPLES: u64 = 8;
+
 /// A render of the stage on a film of about 40 pixels, as required and with everything put in.
 fn both(stage: &Stage) -> [Outcome; 2] {
     let [width, height] = stage.scene.film.size.0;
     let settings = Settings { scale: 40.0 / width.max(height) as f64, ..Settings::default() };
-    let samples = stage.scene.stop.most_samples().unwrap();
+    let samples = stage.scene.stop.most_samples().unwrap().min(SAMPLES);
     [Plan::of(stage), Plan::of(stage).forced()].map(|plan| {
         let (prepared, found) = prepare::prepare_by(&plan, stage, &settings, &NoProgress);
         render(&prepared.unwrap_or_else(|| panic!("{found:?}")), 5, samples, &Patient)

@@ -7,7 +7,6 @@ use std::path::Path;
 use scn::math::{NoProgress, Picture};
 use scn::plan::{Feature, Plan};
 use scn::prepare::{self, Settings};
-use scn::run::{self, Begin, Watch};
 use shots::Shot;
 
 /// The one render of a text that stands in a folder, or the report of its faults.
@@ -257,19 +256,6 @@ fn a_texture_of_one_colour_is_that_colour_to_the_bit() {
     }
 }
 
-/// Nobody watches, and no time passes.
-struct Untimed;
-
-impl Watch for Untimed {
-    fn cancelled(&self) -> bool {
-        false
-    }
-    fn now(&self) -> f64 {
-        0.0
-    }
-    fn progress(&self, _done: u64, _total: u64) {}
-}
-
 #[test]
 fn coordinates_are_built_where_a_texture_is_read_and_change_nothing_elsewhere() {
     let folder = folder();
@@ -281,10 +267,8 @@ fn coordinates_are_built_where_a_texture_is_read_and_change_nothing_elsewhere() 
         assert_eq!(plan.builds(Feature::Coordinates), needed);
         let pictures = [plan.clone(), plan.forced()].map(|plan| {
             let settings = Settings::default();
-            let (world, _) = prepare::prepare_by(&plan, &shot.stage, &settings, &NoProgress);
-            let prepare::Prepared { world, integrator, .. } = world.unwrap();
-            let settings = run::Settings::samples(3, 2);
-            run::render(&world, &integrator, &settings, Begin::new(&world), &Untimed).picture
+            let (prepared, _) = prepare::prepare_by(&plan, &shot.stage, &settings, &NoProgress);
+            shot.picture(&prepared.unwrap(), 3)
         });
         assert_eq!(pictures[0], pictures[1], "{albedo}");
     }

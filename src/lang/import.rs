@@ -33,7 +33,7 @@ pub fn gather(
     let mut units = vec![read(path.to_path_buf(), identity, text, sources, ev)];
     let mut bytes = text.len();
     let mut at = 0;
-    while at < units.len() {
+    'all: while at < units.len() {
         let wanted = units[at].tree.items.iter().filter_map(|item| match item {
             Item::Use(name) => Some(name.clone()),
             _ => None,
@@ -50,7 +50,7 @@ pub fn gather(
             if units.len() == limits::FILES {
                 ev.reports.tell(import::too_many(name.span));
                 ev.reports.file_is_missing();
-                continue;
+                break 'all;
             }
             match library.read(&path) {
                 Ok(text) if bytes + text.len() > limits::ALL_BYTES => {

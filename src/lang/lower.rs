@@ -168,10 +168,12 @@ impl Walk<'_> {
                 }
                 Known::Nothing if depth < limits::DEPTH => self.look(next, depth + 1),
                 Known::Chain(length) if depth + length <= limits::DEPTH => {}
-                _ => {
-                    self.ev.reports.tell(types::too_deep(span));
+                // What is before it in the chain has too much behind it as well.
+                _ if self.good => {
+                    self.ev.reports.tell(types::long_chain(kind, span));
                     self.good = false;
                 }
+                _ => {}
             }
             if let Known::Chain(length) = self.known[next] {
                 longest = longest.max(length + 1);

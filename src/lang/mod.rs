@@ -34,8 +34,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::diag::{Diagnostic, FileId, Sources, Span};
-use crate::scene::schema::{Kind, Type};
-use crate::scene::{At, KINDS, Scene};
+use crate::scene::schema::Kind;
+use crate::scene::{At, KINDS, Scene, elsewhere};
 
 pub use comments::comments;
 use data_file::DataFiles;
@@ -216,15 +216,7 @@ fn tell_missing(ev: &Evaluator, plan: &Plan, missing: &Missing) {
         let lacking: Vec<_> =
             missing.iter().filter(|(_, k)| k.word == kind.word).map(|(i, _)| *i).collect();
         let all = lacking.len() == plan.renders.len();
-        let example = match kind.ty {
-            Type::OneOf(variants) => {
-                let bare = |r: &&crate::scene::schema::Record| {
-                    r.fields.iter().all(|f| f.default.is_some() || f.optional)
-                };
-                variants.all.iter().find(bare).map_or("…", |record| record.word)
-            }
-            _ => "…",
-        };
+        let example = elsewhere::usual(kind.word).unwrap_or("…");
         for i in lacking {
             let (name, _) = &plan.renders[i];
             let span = if all { plan.scopes[TOP].span } else { name.span };

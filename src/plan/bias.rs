@@ -285,18 +285,18 @@ fn caustics(survey: &Survey, integrator: &At<Integrator>) -> Vec<Bias> {
     let (mirrors, Some(lit)) = (survey.mirrors(), survey.brightest()) else {
         return Vec::new();
     };
-    let (mirrors, send) = match mirrors.as_slice() {
+    let (mirrors, send, between) = match mirrors.as_slice() {
         [] => return Vec::new(),
-        [one] => (format!("`{one}`"), "sends"),
-        [first, second] => (format!("`{first}` and `{second}`"), "send"),
+        [one] => (format!("`{one}`"), "sends", " and"),
+        [first, second] => (format!("`{first}` and `{second}`"), "send", ","),
         [first, second, rest @ ..] => {
-            (format!("`{first}`, `{second}` and {} more", rest.len()), "send")
+            (format!("`{first}`, `{second}` and {} more", rest.len()), "send", ",")
         }
     };
     let sharp = survey.sharp.iter().filter(|_| path.next_event.0);
     let bias = |light: &str| Bias {
         kind: Kind::Caustics,
-        setting: format!("`light {light}` and {mirrors} under `path`"),
+        setting: format!("`light {light}`{between} {mirrors} under `path`"),
         at: integrator.span,
         effect: format!(
             "light of `{light}`, which has no extent, that {mirrors} {send} to surfaces such as \

@@ -1,5 +1,8 @@
-//! What variants are called in other programs and in everyday speech, for messages: none of these
-//! words means anything in a scene.
+//! What is offered to one who does not know the words: what variants are called in other programs
+//! and in everyday speech, and which one is the most usual. None of it means anything in a scene.
+
+/// Of a kind that each render must state, what to begin with.
+const USUAL: &[(&str, &str)] = &[("camera", "overview"), ("integrator", "path")];
 
 /// A kind of choice, a word that is none of it, and the one it most likely stands for.
 const ELSEWHERE: &[(&str, &str, &str)] = &[
@@ -47,6 +50,11 @@ pub fn meant(choice: &str, word: &str) -> Option<&'static str> {
     known.map(|(_, _, meant)| *meant)
 }
 
+/// What to begin with of a kind that each render must state.
+pub fn usual(kind: &str) -> Option<&'static str> {
+    USUAL.iter().find(|(of, _)| *of == kind).map(|(_, usual)| *usual)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -71,6 +79,10 @@ mod tests {
             assert!(known(meant) && !known(word), "{choice}: {word} → {meant}");
         }
         assert!(ELSEWHERE.is_sorted());
+        for kind in KINDS.iter().filter(|kind| !kind.named && kind.default.is_none()) {
+            let usual = usual(kind.word).expect(kind.word);
+            assert!(of(&kind.ty).unwrap().all.iter().any(|record| record.word == usual));
+        }
         assert_eq!(meant("material", "Glass"), Some("dielectric"));
         assert_eq!(meant("light", "glass"), None);
     }

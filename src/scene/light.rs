@@ -33,6 +33,7 @@ vocabulary! {
             turbidity: Number, Range::between(1.7, 10.0).because(
                 "The model holds for clear and hazy air. For thinner air parts of the sky would be \
                  darker than black, and for thicker air too, with a low sun.",
+                "write 2 for very clear air, 3 for clear, 6 for hazy, at most 10",
             );
             /// How far north of the equator the place is.
             latitude: Angle, Range::between(-FRAC_PI_2, FRAC_PI_2);

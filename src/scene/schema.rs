@@ -73,6 +73,8 @@ pub struct Range {
     pub high: Bound,
     /// Why there are bounds, in a sentence; empty where they go without saying.
     pub why: &'static str,
+    /// What to write, where the bounds alone do not tell it; or empty.
+    pub help: &'static str,
 }
 
 /// One end of a [`Range`].
@@ -88,7 +90,7 @@ pub enum Bound {
 
 impl Range {
     const fn of(low: Bound, high: Bound) -> Self {
-        Self { low, high, why: "" }
+        Self { low, high, why: "", help: "" }
     }
 
     /// Any finite number.
@@ -119,9 +121,9 @@ impl Range {
         Self::of(Bound::Exclusive(low), Bound::Exclusive(high))
     }
 
-    /// With the reason for its bounds, a sentence.
-    pub const fn because(self, why: &'static str) -> Self {
-        Self { why, ..self }
+    /// With the reason for its bounds, a sentence, and what to write.
+    pub const fn because(self, why: &'static str, help: &'static str) -> Self {
+        Self { why, help, ..self }
     }
 
     /// Whether a finite number lies within.

@@ -226,3 +226,15 @@ fn a_picture_of_all_paths_that_there_are_is_not_biased() {
     assert_eq!(run("L (D | S)* E"), Some(0));
     assert_eq!(run("L S* D E"), Some(1));
 }
+
+#[test]
+fn all_that_makes_caustics_of_a_light_without_extent_is_named() {
+    let bench = bench();
+    let sun = "light sun: directional { direction: -y, irradiance: 1 W/m^2 }\n";
+    bench.put("sun.scn", format!("{MIRROR}{sun}"));
+    let run = bench.run("render sun.scn -q --samples 1 --unbiased").ends(1);
+    let words = run.stderr.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>();
+    let told = "`light sun`, `object silver.material` and `object ball.material` under `path` make \
+                the picture systematically wrong";
+    assert!(words.join(" ").contains(told), "{}", run.stderr);
+}

@@ -192,7 +192,8 @@ impl Checker<'_> {
             ev.reports.tell(names::no_declaration(&place, kind, &found, &made, value.span));
             return None;
         }
-        let checked = self.check(value, &target, &Range::ANY, place)?;
+        // The same value once more: not one level further in.
+        let checked = self.landed(value, &target, &Range::ANY, place)?;
         let mut name = place.to_string();
         let taken = |name: &str| {
             let hoisted = self.hoisted.borrow();

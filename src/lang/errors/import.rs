@@ -15,7 +15,7 @@ pub fn unreadable(name: &str, path: &str, cause: &str, span: Span) -> Diagnostic
     }
 }
 
-/// More files than the limit.
+/// More files than the limit; told of the first one.
 pub fn too_many(span: Span) -> Diagnostic {
     let headline = format!("a scene may have {} files, and this is one more", limits::FILES);
     Diagnostic::error(Code::IMPORT_UNREADABLE, headline)

@@ -131,6 +131,14 @@ pub fn unexpected(expected: &str, found: &str, span: Span) -> Diagnostic {
         .label(span, format!("expected {expected}"))
 }
 
+/// An operator at the end of a line, after which the next item begins.
+pub fn nothing_after(sign: &str, span: Span) -> Diagnostic {
+    let headline = format!("a value is missing after this `{sign}`");
+    Diagnostic::error(Code::SYNTAX_UNEXPECTED, headline)
+        .label(span, "nothing follows")
+        .help(format!("write the value, or take the `{sign}` away"))
+}
+
 /// A comment of another language.
 pub fn comment(found: &str, span: Span) -> Diagnostic {
     let found = found.chars().take(2).collect::<String>();

@@ -45,7 +45,8 @@ pub fn out_of_range(
     let headline = format!("{what} must be {bounds}, and is {found}");
     let told = Diagnostic::error(Code::TYPE_OUT_OF_RANGE, headline)
         .label(span, format!("must be {bounds}"));
-    if range.why.is_empty() { told } else { told.why(range.why) }
+    let told = if range.why.is_empty() { told } else { told.why(range.why) };
+    if range.help.is_empty() { told } else { told.help(range.help) }
 }
 
 /// A list where a vector belongs; `text`: as written.
@@ -202,6 +203,14 @@ pub fn too_deep(span: Span) -> Diagnostic {
     Diagnostic::error(Code::TYPE_TOO_DEEP, headline)
         .label(span, "one too many")
         .help("shorten the chain of definitions")
+}
+
+/// A chain of declarations, each made of the next, that is longer than the limit.
+pub fn long_chain(kind: &str, span: Span) -> Diagnostic {
+    let headline = format!("more than {} {kind}s are made of each other in a row", limits::DEPTH);
+    Diagnostic::error(Code::TYPE_TOO_DEEP, headline)
+        .label(span, "one too many")
+        .help(format!("make the {kind} of fewer others"))
 }
 
 /// A function without arguments in parentheses.

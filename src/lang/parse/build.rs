@@ -151,7 +151,15 @@ impl<'t> Builder<'t> {
             let parted = last.is_none() || self.source[last_end..start].contains('\n');
             if !parted && rule != Rule::broken {
                 let last = last.expect("not parted from it");
-                self.tell(syntax::missing_separator(last, span, "item"));
+                match explain::dangling(self, start, last) {
+                    Some(told) => {
+                        // What was read as an item has lost its first word.
+                        self.muted.push(span);
+                        self.poison(pair.as_str());
+                        self.tell(told);
+                    }
+                    None => self.tell(syntax::missing_separator(last, span, "item")),
+                }
             }
             let faultless = self.found == before_last;
             before_last = self.found;

@@ -22,6 +22,9 @@ pub fn leftover(builder: &mut Builder, text: &str, start: usize, last: Span) -> 
         return told;
     }
     let found = text.get(at..at + length).unwrap_or("");
+    if let Some(told) = dangling(builder, start + at, last) {
+        return told;
+    }
     let told = syntax::unexpected("a comma or a new line after this item", found, span);
     let told = hinted(told, builder.source, start + at);
     if told.help.is_some() {
@@ -29,6 +32,15 @@ pub fn leftover(builder: &mut Builder, text: &str, start: usize, last: Span) -> 
         builder.muted.push(last);
     }
     told
+}
+
+/// Tells of an operator at the end of a line, after which an item begins that was taken for its
+/// value, as part of the item `last`; the grammar stopped in it, at byte `at` of the source.
+pub fn dangling(builder: &mut Builder, at: usize, last: Span) -> Option<Diagnostic> {
+    let operator = hints::dangling(builder.source, at)?;
+    builder.muted.push(last);
+    let sign = &builder.source[operator..operator + 1];
+    Some(syntax::nothing_after(sign, builder.place(operator, operator + 1)))
 }
 
 /// Tells of a field.

@@ -99,6 +99,18 @@ fn field(line: &str, value: &str) -> Option<String> {
     (alone && word && !value.is_empty()).then(|| format!("write `{key}: {value}`"))
 }
 
+/// The operator at the end of the line before that of byte `at`, where the grammar stopped, if that
+/// line begins an item.
+pub fn dangling(text: &str, at: usize) -> Option<usize> {
+    let before = text.get(..at)?.trim_end();
+    let kind = trailing(before, |c| c.is_ascii_alphanumeric() || c == '_' || c == '.');
+    let word = kind.split('.').next().unwrap_or(kind);
+    let item = KINDS.iter().any(|known| known.word == word);
+    let head = before[..before.len() - kind.len()].trim_end_matches([' ', '\t']);
+    let line = head.strip_suffix('\n')?.trim_end();
+    (item && line.ends_with(['+', '-', '*', '/'])).then(|| line.len() - 1)
+}
+
 /// `1,5`: the digits on both sides of a decimal comma before byte `at` of `text`.
 pub fn decimal_comma(text: &str, at: usize) -> Option<(&str, &str)> {
     let digit = |c: char| c.is_ascii_digit();

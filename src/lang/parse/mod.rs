@@ -16,7 +16,7 @@ use super::errors::syntax;
 use super::faults::Faults;
 use super::limits;
 use super::scan::{Scanned, scan};
-use crate::diag::{Diagnostic, FileId, Span};
+use crate::diag::{Code, Diagnostic, FileId, Span};
 
 use build::Builder;
 
@@ -51,7 +51,7 @@ pub fn file(text: &str, id: FileId) -> Parsed<File> {
     }
     let scanned = scan(text);
     let mut faults = told(&scanned, text, id);
-    let deep = faults.kept.iter().any(|d| d.code == crate::diag::Code::SYNTAX_TOO_DEEP);
+    let deep = faults.kept.iter().any(|d| d.code == Code::SYNTAX_TOO_DEEP);
     if deep || scanned.hopeless {
         tree.first_line = Some(whole);
         if !deep {
@@ -72,6 +72,11 @@ pub fn file(text: &str, id: FileId) -> Parsed<File> {
             let at = scanned.original(stopped(&error));
             faults.push(explain::at(text, at, id));
         }
+    }
+    if faults.kept.iter().any(|told| told.code == Code::SYNTAX_EDITION) {
+        // Of another edition nobody knows what is wrong.
+        faults.kept.retain(|told| told.code == Code::SYNTAX_EDITION);
+        muted.push(whole);
     }
     Parsed { tree, faults, muted }
 }

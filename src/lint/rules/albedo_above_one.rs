@@ -18,10 +18,11 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
         tints.extend(said.value.colours().iter().map(|tint| tint.span));
         let (most, label) = channels(largest_of(image));
         if most > 1.0 {
-            found.push(above_one(most, format!("its brightest texels are {label}"), said.span));
+            let label = format!("its brightest texels are {label}");
+            found.push(above_one(&image.texture.name, most, label, said.span));
         }
     }
-    for (_, albedo) in shot.reflectances().filter(|(_, albedo)| !tints.contains(&albedo.span)) {
+    for (name, albedo) in shot.reflectances().filter(|(_, albedo)| !tints.contains(&albedo.span)) {
         let (most, label) = match &albedo.0 {
             Spectrum::Table(table) => {
                 let nodes = table.nodes().iter();
@@ -32,7 +33,7 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
             other => channels(colour::reflected(other)),
         };
         if most > 1.0 {
-            found.push(above_one(most, label, albedo.span));
+            found.push(above_one(name, most, label, albedo.span));
         }
     }
 }
@@ -48,8 +49,9 @@ fn channels(parts: [f64; 3]) -> (f64, String) {
     (parts.into_iter().fold(0.0, f64::max), label)
 }
 
-fn above_one(most: f64, label: String, at: Span) -> Diagnostic {
-    Diagnostic::warning(Code::LINT_ALBEDO_ABOVE_ONE, "a surface gives back more light than it gets")
+fn above_one(name: &str, most: f64, label: String, at: Span) -> Diagnostic {
+    let headline = format!("`{name}` gives back more light than it gets");
+    Diagnostic::warning(Code::LINT_ALBEDO_ABOVE_ONE, headline)
         .label(at, label)
         .why("The albedo is the part of the light that is scattered back; no real surface has more than all of it.")
         .help(format!("divide it by {most}, or write `emission` if the surface shines of itself"))

@@ -5,7 +5,7 @@ use crate::plan::Bias;
 
 /// A setting that `--unbiased` refuses.
 pub fn biased(bias: &Bias) -> Diagnostic {
-    let make = if bias.setting.contains("` and `") { "make" } else { "makes" };
+    let make = if bias.setting.contains(" and ") { "make" } else { "makes" };
     let headline = format!("{} {make} the picture systematically wrong", bias.setting);
     Diagnostic::error(Code::SCENE_BIASED, headline)
         .label(bias.at, bias.effect.clone())

@@ -73,7 +73,7 @@ pub fn film_too_large(size_at: Span, size: [u64; 2], bytes: u64, most: u64) -> D
     Diagnostic::error(Code::SCENE_TOO_MUCH_MEMORY, headline)
         .label(size_at, format!("more than {} GiB", gib(most)))
         .why("Samples are summed up in double precision, and kept in blocks so that a sum never depends on how the work was shared out.")
-        .help("make the film smaller, or render it in parts: `--crop x0,y0,x1,y1` needs memory for that part alone")
+        .help("make the film smaller, or render it in parts: `scn render --crop x0,y0,x1,y1` needs memory for that part alone")
 }
 
 /// A light, an emission or an albedo whose products overflow.
