@@ -174,7 +174,6 @@ fn an_operator_without_a_value_is_told_where_it_stands() {
     for text in [
         "let a = 1 +\nfilm: { size: (8, 8) }",
         "let a = 1 m *\nobject b: sphere { center: (0, 0, 0), radius: a, material: mirror }",
-        "film.exposure: 2 ev -\n\nfilm.size: (8, 8)",
     ] {
         let told = only(text);
         assert!(told.starts_with("a value is missing after this `"), "{text}\n{told}");

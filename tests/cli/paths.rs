@@ -234,7 +234,7 @@ fn all_that_makes_caustics_of_a_light_without_extent_is_named() {
     bench.put("sun.scn", format!("{MIRROR}{sun}"));
     let run = bench.run("render sun.scn -q --samples 1 --unbiased").ends(1);
     let words = run.stderr.split_whitespace().filter(|word| *word != "│").collect::<Vec<_>>();
-    let told = "`light sun`, `object silver.material` and `object ball.material` under `path` make \
+    let told = "`light sun`, `object ball.material` and `object silver.material` under `path` make \
                 the picture systematically wrong";
     assert!(words.join(" ").contains(told), "{}", run.stderr);
 }
