@@ -176,6 +176,26 @@ fn every_shape_that_shines_gives_a_floor_its_irradiance_and_so_do_both_its_sides
     }
 }
 
+#[test]
+fn what_shines_from_its_front_lights_nothing_behind_it() {
+    let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+    let corners = [dvec3(-1.0, 1.0, 2.0), dvec3(0.3, -1.5, 1.5), dvec3(2.0, 0.5, 1.0)];
+    for (way, integrator) in ways() {
+        let start = || receiver(integrator.clone(), z);
+        for (shape, hand) in [
+            ("disk", start().disk(z, z, 1.0, "lamp")),
+            ("disk close by", start().disk(z * 0.2, z, 1.0, "lamp")),
+            ("square", start().quad(z, x, y, "lamp")),
+            ("square far away", start().quad(z * 1e4, x, y, "lamp")),
+            ("triangle", start().triangle(corners, "lamp")),
+            ("ball around it", start().sphere(z * 0.3, 1.0, "lamp")),
+        ] {
+            let picture = even(hand, 64).picture();
+            assert_eq!(picture.pixels[0].g, 0.0, "{shape} by {way}");
+        }
+    }
+}
+
 /// The sun of the ground truths: a cone of .00465 rad gives 6.792860e-5 of its radiance.
 #[test]
 fn the_sun_gives_the_irradiance_of_its_cone() {

@@ -159,6 +159,13 @@ fn disks_give_their_irradiance() {
     disk("disk aside", (1.0, 1.0, 1.0), 0.868_315, true);
     disk("disk far aside", (1.0, 1.0, 2.0), 0.165_833, false);
     disk("disk elsewhere", (0.75, 1.25, 1.5), 0.210_195, false);
+    // Closer than its radius it is sampled in another way: by the square around it.
+    for (h, off) in [(0.3, 0.0), (0.4, 0.5), (0.5, 0.95), (0.2, 1.1)] {
+        let (h_2, off_2) = (f64::powi(h, 2), f64::powi(off, 2));
+        let root = ((h_2 + off_2 + 1.0).powi(2) - 4.0 * off_2).sqrt();
+        let truth = 0.5 * PI * (1.0 - (h_2 + off_2 - 1.0) / root);
+        disk("disk close by", (1.0, h, off), truth, off < 1.0);
+    }
 }
 
 /// By chance alone small lamps are found so seldom that only their noise can be asked.
