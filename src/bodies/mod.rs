@@ -1,7 +1,30 @@
-//! Stage → what bounds what: objects where they stand, in metres and f64.
+//! Stage → what bounds what: objects where they stand, in metres and f64, and the media on both
+//! sides of their surfaces.
+//!
+//! All surfaces that name a medium bound it together, whichever objects they belong to. In order:
+//! their corners are counted once a place (surfaces), edges tell whether they close and which hang
+//! together (seams), what is nearly closed is joined (closing); the closed surfaces are solids, and
+//! how often each goes round a point tells what is where (solids, layers for planes). Surfaces of
+//! bodies must not cross (crossing).
 
 mod charts;
+mod closing;
+mod crossing;
 mod errors;
+mod flat;
+mod layers;
+mod matter;
+mod overlaps;
 mod placed;
+mod seams;
+mod solids;
+mod surfaces;
+mod tree;
+mod view;
+mod yields;
 
+pub use flat::Flat;
+pub use matter::Matter;
+pub use overlaps::Overlaps;
 pub use placed::{Body, Placed, place};
+pub use view::eye;

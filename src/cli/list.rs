@@ -85,7 +85,7 @@ fn kinds(look: Look) -> String {
             match kind.default.map(types::tidy).as_deref() {
                 Some("{}") => {}
                 Some(default) => text.push_str(&format!("{margin}default: {default}\n")),
-                None if !kind.named => text.push_str(&format!("{margin}must be given\n")),
+                None if !kind.optional => text.push_str(&format!("{margin}must be given\n")),
                 None => {}
             }
         }

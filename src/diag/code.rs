@@ -99,8 +99,6 @@ codes! {
     LINT_MISSING_CAPTION = "lint/missing-caption";
     LINT_NAMES_BY_CASE = "lint/names-by-case";
     LINT_NOISY_FILTER = "lint/noisy-filter";
-    LINT_OPEN_GLASS = "lint/open-glass";
-    LINT_OUTSIDE_UNSAID = "lint/outside-unsaid";
     LINT_SAME_CAPTION = "lint/same-caption";
     LINT_SAME_MEDIUM = "lint/same-medium";
     LINT_SAME_PICTURE = "lint/same-picture";
@@ -119,6 +117,15 @@ codes! {
     LINT_UNUSED_SETUP = "lint/unused-setup";
     LINT_UNUSED_TEXTURE = "lint/unused-texture";
     LINT_UNUSED_VARIABLE = "lint/unused-variable";
+    MATTER_ABSORBS_TWICE = "matter/absorbs-twice";
+    MATTER_COINCIDE = "matter/coincide";
+    MATTER_CROSS = "matter/cross";
+    MATTER_GAP = "matter/gap";
+    MATTER_INSIDE_OUT = "matter/inside-out";
+    MATTER_NOT_FOLLOWED = "matter/not-followed";
+    MATTER_OPEN = "matter/open";
+    MATTER_TOO_MANY = "matter/too-many";
+    MATTER_TURNED = "matter/turned";
     MESH_BAD_INDEX = "mesh/bad-index";
     MESH_BAD_NUMBER = "mesh/bad-number";
     MESH_CONCAVE_FACE = "mesh/concave-face";
@@ -187,7 +194,6 @@ codes! {
     RENDER_NAME = "render/name";
     RENDER_NOTHING_TO_CHANGE = "render/nothing-to-change";
     RENDER_TOO_MUCH = "render/too-much";
-    SCENE_ABSORBING_MEDIUM = "scene/absorbing-medium";
     SCENE_BEYOND_NUMBERS = "scene/beyond-numbers";
     SCENE_BIASED = "scene/biased";
     SCENE_CAMERA_LOOKS_ALONG_UP = "scene/camera-looks-along-up";

@@ -224,9 +224,16 @@ impl Composer<'_> {
                 record.fields[at].value = Thunk::Ready(changed);
                 Some(rebuilt(value, record))
             }
-            Type::Reference { kind, target } | Type::Textured { kind, target, .. } => {
-                match &value.kind {
-                    ValueKind::Record(_) => self.change(value, &target(), parts, new, path, place),
+            Type::Reference { kind, .. } | Type::Textured { kind, .. } => {
+                let target = match ty {
+                    Type::Reference { target, .. } => *target,
+                    Type::Textured { target, .. } => Some(*target),
+                    _ => None,
+                };
+                match (&value.kind, target) {
+                    (ValueKind::Record(_), Some(target)) => {
+                        self.change(value, &target(), parts, new, path, place)
+                    }
                     _ => {
                         let name = match &value.kind {
                             ValueKind::Word(word) => word.text.to_string(),

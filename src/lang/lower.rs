@@ -10,7 +10,7 @@ use super::eval::Evaluator;
 use super::{defaults, limits};
 use crate::diag::{FileId, Span};
 use crate::scene::schema::{Checked, Kind, Type};
-use crate::scene::{At, KINDS, NAMED_BY_FILES, Scene};
+use crate::scene::{At, KINDS, NAMED_BY_FILES, SEEN, Scene};
 
 /// What became of a render.
 pub struct Lowered {
@@ -37,6 +37,11 @@ pub fn lower(
         let value = match (declared.get(&(kind.word, Arc::from(""))), kind.default) {
             (Some((_, value)), _) => value.clone(),
             (None, Some(default)) => default_value(ev, default),
+            (None, None) if kind.optional => {
+                let absent = At { usual: true, ..At::new(Checked::Absent, span) };
+                items.push((kind.word, At::new(String::new(), span), absent));
+                continue;
+            }
             (None, None) => {
                 missing.push(kind);
                 continue;
@@ -83,7 +88,8 @@ fn needed(items: Vec<Item>) -> Vec<Item> {
     let index: HashMap<(&str, &str), usize> =
         items.iter().enumerate().map(|(i, (kind, name, _))| ((*kind, name.as_str()), i)).collect();
     let mut kept = vec![false; items.len()];
-    let wanted = |kind: &str| !referred.contains(kind) || NAMED_BY_FILES.contains(&kind);
+    let kept_anyway = |kind: &str| NAMED_BY_FILES.contains(&kind) || SEEN.contains(&kind);
+    let wanted = |kind: &str| !referred.contains(kind) || kept_anyway(kind);
     let mut open: Vec<usize> = (0..items.len()).filter(|i| wanted(items[*i].0)).collect();
     while let Some(at) = open.pop() {
         if std::mem::replace(&mut kept[at], true) {

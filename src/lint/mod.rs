@@ -7,13 +7,14 @@
 mod allow;
 mod errors;
 mod fix;
-mod flat;
 mod inside;
 mod rules;
 mod selection;
 mod view;
 
 use std::collections::HashMap;
+
+use glam::DVec3;
 
 use crate::bodies::{self, Placed};
 use crate::diag::{Code, Diagnostic, Span};
@@ -84,6 +85,11 @@ impl<'a> Shot<'a> {
     /// Its name.
     pub fn name(&self) -> &str {
         &self.name.value
+    }
+
+    /// Where its camera stands, in metres, and where that is said; None where nothing says it.
+    fn eye(&self) -> Option<(DVec3, Span)> {
+        bodies::eye(&self.stage.scene, &self.things)
     }
 
     /// What is said of light given back, with the name of the material or the texture.

@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use super::Shot;
 use crate::diag::Span;
-use crate::math::Bounds;
 use crate::scene::Camera;
 
 /// A perspective camera in metres; directions have unit length. The camera `overview` sees its
@@ -50,19 +49,5 @@ impl View {
             self.forward * y + self.up,
             self.forward * y - self.up,
         ]
-    }
-}
-
-/// Where a camera stands, in metres, and where that is said; None where nothing says it.
-pub(super) fn eye(shot: &Shot) -> Option<(DVec3, Span)> {
-    match &shot.stage.scene.camera.value {
-        Camera::Perspective(camera) => Some((camera.eye.0, camera.eye.span)),
-        Camera::Overview(camera) => {
-            let all = shot.things.iter().map(|thing| thing.bounds());
-            let all = all.fold(Bounds::EMPTY, Bounds::union);
-            let away = camera.distance.0 * 0.5 * all.size();
-            let eye = (!all.is_empty()).then(|| all.centre() - camera.look.0 * away)?;
-            Some((eye, shot.stage.scene.camera.span))
-        }
     }
 }

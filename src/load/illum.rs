@@ -115,7 +115,7 @@ impl Context<'_> {
         };
         let at = self.at.span(index);
         let ior = Index { n: Spectrum::Constant(index.value), k: Spectrum::Constant(0.0) };
-        let medium = Medium::Homogeneous(Homogeneous { ior: At::new(ior, at) });
+        let medium = Medium::Homogeneous(Homogeneous::clear(At::new(ior, at)));
         let mut called = format!("{}: {name}", self.file);
         loop {
             let taken = |other: &&Named<Medium>| other.name.value == called;

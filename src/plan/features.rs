@@ -21,19 +21,22 @@ pub enum Feature {
     Normals,
     /// Where on its surface a hit lies.
     Coordinates,
+    /// Surfaces that name media are joined to bodies, to know what is around what.
+    Bodies,
     /// For each path of light, to which layer it belongs, or whether it is shown at all.
     Paths,
 }
 
 impl Feature {
     /// All of them, in the order in which they are told.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Lights,
         Self::ShadowRays,
         Self::LampPoints,
         Self::Instances,
         Self::Normals,
         Self::Coordinates,
+        Self::Bodies,
         Self::Paths,
     ];
 
@@ -46,6 +49,7 @@ impl Feature {
             Self::Instances => "instances",
             Self::Normals => "normals",
             Self::Coordinates => "coordinates",
+            Self::Bodies => "bodies",
             Self::Paths => "paths",
         }
     }
@@ -59,6 +63,7 @@ impl Feature {
             Self::Instances => "instances",
             Self::Normals => "smooth normals",
             Self::Coordinates => "texture coordinates",
+            Self::Bodies => "bodies of matter",
             Self::Paths => "paths told apart",
         }
     }
@@ -118,6 +123,7 @@ impl Plan {
                 Feature::Instances => instances::answer(stage, &copies),
                 Feature::Normals => normals(stage),
                 Feature::Coordinates => asked.coordinates(),
+                Feature::Bodies => asked.bodies(),
                 Feature::Paths => paths(stage, integrator),
             };
             Answer { feature, need, why, at }
@@ -258,6 +264,23 @@ impl Asked<'_> {
         let (material, name) = (&surface.material.name, &surface.object.name);
         let why = format!("`{}` on `{}` reads the texture `{texture}`", **material, **name);
         (Need::Required, why, Some(name.span))
+    }
+}
+
+impl Asked<'_> {
+    fn bodies(&self) -> Reason {
+        if !self.integrator.follows_light() {
+            return (Need::Unneeded, "`preview` follows no light".to_string(), Some(self.at));
+        }
+        let mut surfaces = self.survey.surfaces.iter();
+        match surfaces.find(|surface| surface.material.value.transmits()) {
+            Some(surface) => {
+                let (material, name) = (&surface.material.name, &surface.object.name);
+                let why = format!("`{}` of `{}` lets light through", **material, **name);
+                (Need::Required, why, Some(name.span))
+            }
+            None => (Need::Unneeded, "no surface lets light through".to_string(), None),
+        }
     }
 }
 

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::materials::Table;
 use super::space::Space;
 use crate::bodies::{Body, Placed};
 use crate::load::Stage;
@@ -36,12 +35,12 @@ impl<'a> Meshes<'a> {
         Some(Placement { place: *to_metres, centre, scale }).filter(Placement::is_sound)
     }
 
-    /// Puts an object there.
+    /// Puts an object there; `of_slot` has the material of each of its slots.
     pub fn put(
         &mut self,
         placed: &Placed,
         placement: Placement,
-        materials: &Table,
+        of_slot: impl Fn(usize) -> u32,
         shapes: &mut Shapes,
     ) {
         let object = placed.number;
@@ -52,7 +51,7 @@ impl<'a> Meshes<'a> {
         let box_of = placed.bounds();
         let [min, max] = [box_of.min, box_of.max].map(|p| self.space.point(p).as_vec3());
         let slots = 0..staged.materials.len();
-        let materials = slots.map(|slot| materials.number(object, slot)).collect();
+        let materials = slots.map(of_slot).collect();
         let bounds = Bounds { min, max };
         shapes.instance(Instance { mesh, placement, bounds, object, materials });
     }

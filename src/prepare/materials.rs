@@ -1,10 +1,10 @@
 //! Materials of the scene → materials of the world, with emission in light units.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{HashMap, HashSet};
 
 use super::errors::scene as errors;
 use super::textures::Textures;
-use crate::bodies::Placed;
+use crate::bodies::{Matter, Placed};
 use crate::diag::{Diagnostic, Span};
 use crate::load::Stage;
 use crate::math::{Rgb, Spectrum};
@@ -12,56 +12,92 @@ use crate::optics::{self, colour};
 use crate::render::materials::{
     Conductor, Dielectric, Diffuse, Emission, Material, Mirror, Mixture, Surface,
 };
-use crate::scene::{self, Medium, Named, Ref, Sides};
+use crate::render::overlaps::{Overlap, Overlaps};
+use crate::scene::{self, Medium, Named};
 
 /// The materials in use.
 pub(super) struct Table {
     /// By number.
     pub all: Vec<Material>,
-    /// Numbers of each object's slots.
-    slots: BTreeMap<u32, Vec<u32>>,
+    /// What is known of each where bodies overlap, if any do.
+    pub overlaps: Option<Overlaps>,
+    /// For each placed object's slots, the media before it with the number of the material there.
+    slots: Vec<Vec<Vec<(u32, u32)>>>,
 }
 
 /// Makes the table of all materials of these objects; a declaration is in it once, one that shines
 /// once for each object.
 pub(super) fn table(
     stage: &Stage,
-    bodies: &[Placed],
+    (bodies, matter): (&[Placed], &Matter),
     light_unit: f64,
     found: &mut Vec<Diagnostic>,
 ) -> Table {
     let mut textures = Textures::of(stage);
-    let mut table = Table { all: Vec::new(), slots: BTreeMap::new() };
+    let overlaps = (!matter.overlaps.is_empty())
+        .then(|| Overlaps { camera: matter.overlaps.camera, materials: Vec::new() });
+    let mut table = Table { all: Vec::new(), overlaps, slots: Vec::new() };
     // A material is known by the place of its declaration: its name alone may be used again by
     // another file of materials. One that shines makes a lamp of each object.
-    let mut known: HashMap<(&str, Span, Option<u32>), u32> = HashMap::new();
+    // What is before it is part of what it is.
+    let mut known: HashMap<(&str, Span, Option<u32>, u32), u32> = HashMap::new();
     let mut told: HashSet<(&str, Span)> = HashSet::new();
-    check_media(stage, bodies, found);
-    for body in bodies {
+    for (rank, body) in bodies.iter().enumerate() {
         let mut slots = Vec::with_capacity(body.materials.len());
-        for (named, parts) in body.materials.iter().zip(&body.parts) {
+        for (slot, (named, parts)) in body.materials.iter().zip(&body.parts).enumerate() {
             let place = (named.name.value.as_str(), named.value.span);
             if told.insert(place) {
                 check(named, parts, found);
             }
             let shines = parts.iter().any(|(_, part)| part.value.shines());
-            let number = *known
-                .entry((place.0, place.1, shines.then_some(body.number)))
-                .or_insert(table.all.len() as u32);
-            if number as usize == table.all.len() {
-                table.all.push(material(&mut textures, named, parts, light_unit));
+            let mut numbers = Vec::new();
+            for before in matter.all_before(rank, slot) {
+                let said = parts.iter().find_map(|(_, part)| part.value.value.sides());
+                let inside = said.and_then(|(inside, _)| matter.number(&inside.name));
+                let outside = said.is_some_and(|(_, outside)| outside.is_some());
+                let overlap = inside.map_or(Overlap::default(), |inside| Overlap {
+                    behind: matter.overlaps.bit(rank, inside),
+                    before: if outside { matter.overlaps.bit(rank, before) } else { 0 },
+                    hidden: matter.overlaps.hidden(rank, inside),
+                    within: Vec::new(),
+                });
+                // Its own number for what shines, and where it overlaps.
+                let own = shines || overlap != Overlap::default();
+                let number = *known
+                    .entry((place.0, place.1, own.then_some(body.number), before))
+                    .or_insert(table.all.len() as u32);
+                if number as usize == table.all.len() {
+                    let ends = inside.map_or(Vec::new(), |it| matter.overlaps.ending_at(rank, it));
+                    let mut add = |before: u32| {
+                        let sides = Sides::of(matter, parts, before);
+                        let made = material(&mut textures, named, parts, (light_unit, &sides));
+                        table.all.push(made);
+                        if let Some(overlaps) = &mut table.overlaps {
+                            overlaps.materials.push(overlap.clone());
+                        }
+                        table.all.len() as u32 - 1
+                    };
+                    add(before);
+                    let within = ends.into_iter().map(|(bit, medium)| (bit, add(medium))).collect();
+                    if let Some(overlaps) = &mut table.overlaps {
+                        overlaps.materials[number as usize].within = within;
+                    }
+                }
+                numbers.push((before, number));
             }
-            slots.push(number);
+            slots.push(numbers);
         }
-        table.slots.insert(body.number, slots);
+        table.slots.push(slots);
     }
     table
 }
 
 impl Table {
-    /// The number of the material of an object's slot.
-    pub fn number(&self, object: u32, slot: usize) -> u32 {
-        self.slots[&object][slot]
+    /// The number of the material of a placed object's slot, where there is this medium before it.
+    pub fn number(&self, rank: usize, slot: usize, before: u32) -> u32 {
+        let all = &self.slots[rank][slot];
+        let found = all.iter().find(|(medium, _)| *medium == before);
+        found.expect("one for each medium before it").1
     }
 
     /// The radiance of surfaces of this material, in light units, and whether both sides have it;
@@ -69,21 +105,6 @@ impl Table {
     pub fn emission(&self, number: u32) -> Option<(Rgb, bool)> {
         let Emission { radiance, both } = self.all[number as usize].emission;
         (!radiance.is_black()).then_some((radiance, both))
-    }
-}
-
-/// What of media in use cannot be rendered.
-fn check_media(stage: &Stage, bodies: &[Placed], found: &mut Vec<Diagnostic>) {
-    let mut told: HashSet<&str> = HashSet::new();
-    for (_, part) in bodies.iter().flat_map(|body| body.parts.iter().flatten()) {
-        let scene::Material::Dielectric(dielectric) = &part.value.value else { continue };
-        for name in [Some(&dielectric.inside.value), dielectric.outside.as_ref()] {
-            let Some(medium) = name.map(|name| stage.medium(name)) else { continue };
-            let Medium::Homogeneous(homogeneous) = &medium.value.value;
-            if homogeneous.ior.absorbs() && told.insert(&medium.name.value) {
-                found.push(errors::absorbing_medium(medium, homogeneous.ior.span));
-            }
-        }
     }
 }
 
@@ -117,26 +138,44 @@ fn material(
     textures: &mut Textures,
     named: &Named<scene::Material>,
     parts: &[Share],
-    light_unit: f64,
+    (light_unit, sides): (f64, &Sides),
 ) -> Material {
     let mut emission = Emission { radiance: Rgb::BLACK, both: false };
     for (share, part) in parts {
         if let Some((radiance, emits)) = part.value.glow() {
             emission.radiance += in_units(&radiance.0.scaled(*share), light_unit);
-            emission.both |= part.value.shines() && emits.value == Sides::Both;
+            emission.both |= part.value.shines() && emits.value == scene::Sides::Both;
         }
     }
-    Material { surface: surface(textures, named), emission }
+    let surface = surface(textures, named, sides);
+    Material { surface, emission, before: sides.before, behind: sides.behind }
 }
 
-fn surface(textures: &mut Textures, material: &Named<scene::Material>) -> Surface {
+/// What is on the sides of a surface.
+struct Sides {
+    before: u32,
+    behind: Option<u32>,
+    /// Their indices of refraction; behind an opaque surface there is none.
+    indices: [f64; 2],
+}
+
+impl Sides {
+    fn of(matter: &Matter, parts: &[Share], before: u32) -> Self {
+        let inside = parts.iter().find_map(|(_, part)| part.value.value.sides());
+        let behind = inside.and_then(|(inside, _)| matter.number(&inside.name));
+        let indices = [index(matter, before), behind.map_or(1.0, |behind| index(matter, behind))];
+        Self { before, behind, indices }
+    }
+}
+
+fn surface(textures: &mut Textures, material: &Named<scene::Material>, sides: &Sides) -> Surface {
     let stage = textures.stage;
     match &material.value.value {
-        scene::Material::Conductor(conductor) => Surface::Conductor(metal(&conductor.ior)),
-        scene::Material::Dielectric(dielectric) => Surface::Dielectric(Dielectric {
-            inside: index(stage, &dielectric.inside),
-            outside: dielectric.outside.as_ref().map_or(1.0, |medium| index(stage, medium)),
-        }),
+        scene::Material::Conductor(conductor) => Surface::Conductor(metal(&conductor.ior, sides)),
+        scene::Material::Dielectric(_) => {
+            let [outside, inside] = sides.indices;
+            Surface::Dielectric(Dielectric { inside, outside })
+        }
         scene::Material::Diffuse(diffuse) => {
             Surface::Diffuse(Diffuse { albedo: textures.colour(&diffuse.albedo) })
         }
@@ -145,23 +184,28 @@ fn surface(textures: &mut Textures, material: &Named<scene::Material>) -> Surfac
         }
         scene::Material::Mix(_) => {
             let parts = stage.scene.parts(material).into_iter();
-            let part = |(share, part): Share| (share as f32, surface(textures, part));
+            let part = |(share, part): Share| (share as f32, surface(textures, part, sides));
             Surface::Mixture(Mixture { parts: parts.map(part).collect() })
         }
     }
 }
 
-fn metal(ior: &scene::Index) -> Conductor {
-    match optics::metal::by_angle(&ior.n, &ior.k) {
+fn metal(ior: &scene::Index, sides: &Sides) -> Conductor {
+    // Light comes from what is before it: its own index there is the quotient of both.
+    let against = 1.0 / sides.indices[0];
+    let (n, k) = (ior.n.scaled(against), ior.k.scaled(against));
+    match optics::metal::by_angle(&n, &k) {
         Some(table) => Conductor::Table(table.into_iter().map(as_f32).collect()),
-        None => Conductor::Channels { n: colour::reflected(&ior.n), k: colour::reflected(&ior.k) },
+        None => Conductor::Channels { n: colour::reflected(&n), k: colour::reflected(&k) },
     }
 }
 
 /// The index of refraction of a medium at the middle of the visible range.
-fn index(stage: &Stage, medium: &Ref<Medium>) -> f64 {
-    let Medium::Homogeneous(medium) = &stage.medium(medium).value.value;
-    optics::at(&medium.ior.n, optics::MIDDLE)
+fn index(matter: &Matter, medium: u32) -> f64 {
+    match matter.media[medium as usize].map(|medium| &medium.value.value) {
+        Some(Medium::Homogeneous(medium)) => optics::at(&medium.ior.n, optics::MIDDLE),
+        None => 1.0,
+    }
 }
 
 /// What light a spectrum is, in light units.

@@ -12,6 +12,7 @@ mod instances;
 mod integrator;
 mod lights;
 mod materials;
+mod media;
 mod paths;
 mod shapes;
 mod space;
@@ -19,7 +20,7 @@ mod textures;
 
 use glam::DVec3;
 
-use crate::bodies;
+use crate::bodies::{self, Matter};
 use crate::diag::{Diagnostic, Level, Span};
 use crate::load::Stage;
 use crate::math::paths::Automaton;
@@ -27,6 +28,7 @@ use crate::math::{NoProgress, Progress};
 use crate::plan::{Feature, Plan};
 use crate::render::geometry::Geometry;
 use crate::render::integrators::Integrator;
+use crate::render::media::Medium;
 use crate::render::samplers::Rhythm;
 use crate::render::{World, film::Film};
 use crate::scene;
@@ -157,6 +159,8 @@ pub fn other_integrator(
 struct Parts {
     shapes: shapes::Assembled,
     materials: materials::Table,
+    media: Vec<Medium>,
+    camera_medium: u32,
     lights: lights::Plain,
     camera: crate::render::cameras::Camera,
     film: Film,
@@ -190,11 +194,14 @@ fn assemble(
     let space = space::Space::around(&bodies, &scene.camera);
     let light_unit = lights::unit(stage, &bodies, &space, &mut found);
     daylight::check(scene, &mut found);
-    let materials = materials::table(stage, &bodies, light_unit, &mut found);
+    let matter = matter(stage, &bodies, plan, &mut found);
+    let media = media::prepare(&matter, &scene.integrator, &space, &mut found);
+    let materials = materials::table(stage, (&bodies, &matter), light_unit, &mut found);
     let lights = lights::plain(scene, &space, light_unit, &mut found);
     let integrator = integrator::prepare(&scene.integrator, plan, space.length(1.0));
     integrator::check(&scene.integrator, &mut found);
-    let shapes = shapes::assemble(stage, &bodies, &space, &materials, plan, progress, &mut found);
+    let parts = (&*bodies, &matter);
+    let shapes = shapes::assemble(stage, parts, &space, &materials, plan, progress, &mut found);
     lights::check(scene, (&bodies, &shapes), &lights, &mut found);
     let window = film::window(&scene.film, settings);
     let camera = camera::prepare(scene, &bodies, &space, settings, &mut found);
@@ -205,9 +212,35 @@ fn assemble(
     };
     let filter = film::filter(&scene.film.filter);
     let film = Film { size, window, filter, layers: scene.layers.len() };
-    let parts =
-        Parts { shapes, materials, lights, camera, film, paths, integrator, light_unit, space };
+    let parts = Parts {
+        shapes,
+        materials,
+        media,
+        camera_medium: matter.at.first().copied().unwrap_or_default(),
+        lights,
+        camera,
+        film,
+        paths,
+        integrator,
+        light_unit,
+        space,
+    };
     (Some(parts), found)
+}
+
+/// What is around what, as far as the plan asks for it.
+fn matter<'a>(
+    stage: &'a Stage,
+    bodies: &[bodies::Placed<'a>],
+    plan: &Plan,
+    found: &mut Vec<Diagnostic>,
+) -> Matter<'a> {
+    let eye = bodies::eye(&stage.scene, bodies).map(|(eye, _)| eye);
+    // Where no light is followed nothing can go wrong, whatever is built.
+    match plan.builds(Feature::Bodies) && stage.scene.integrator.follows_light() {
+        true => Matter::of(stage, bodies, eye.as_slice(), found),
+        false => Matter::said(stage, bodies, eye.iter().len()),
+    }
 }
 
 fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepared {
@@ -265,6 +298,9 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         world: World {
             geometry,
             materials: parts.materials.all,
+            media: parts.media,
+            overlaps: parts.materials.overlaps,
+            camera_medium: parts.camera_medium,
             lights,
             camera: parts.camera,
             film: parts.film,

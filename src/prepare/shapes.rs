@@ -9,7 +9,7 @@ use super::instances::Meshes;
 use super::lights::LampParts;
 use super::materials::Table;
 use super::space::Space;
-use crate::bodies::{Body, Placed};
+use crate::bodies::{Body, Matter, Placed};
 use crate::diag::Diagnostic;
 use crate::load::Stage;
 use crate::math::{Mesh, Progress, Transform};
@@ -52,7 +52,7 @@ const FARTHEST_PLANE: f64 = 1e15;
 /// Puts every body into world space.
 pub(super) fn assemble(
     stage: &Stage,
-    bodies: &[Placed],
+    (bodies, matter): (&[Placed], &Matter),
     space: &Space,
     materials: &Table,
     plan: &Plan,
@@ -69,7 +69,11 @@ pub(super) fn assemble(
         slivers: 0,
     };
     let mut meshes = Meshes::new(stage, plan, space);
-    let copied = || bodies.iter().filter(|placed| meshes.placement(placed).is_none());
+    let placement = |meshes: &Meshes, rank: usize| {
+        meshes.placement(&bodies[rank]).filter(|_| matter.is_even(rank))
+    };
+    let copied = (0..bodies.len()).filter(|rank| placement(&meshes, *rank).is_none());
+    let copied = || copied.clone().map(|rank| &bodies[rank]);
     let triangles: usize = copied().map(|placed| placed.body.triangles()).sum();
     if triangles >= MOST_TRIANGLES {
         found.push(errors::too_many_triangles(triangles, MOST_TRIANGLES));
@@ -82,8 +86,9 @@ pub(super) fn assemble(
     all.shapes.reserve(vertices, corner_normals, triangles);
     for (done, placed) in bodies.iter().enumerate() {
         progress.advance(done as u64, bodies.len() as u64);
-        if let Some(placement) = meshes.placement(placed) {
-            meshes.put(placed, placement, materials, &mut all.shapes);
+        if let Some(placement) = placement(&meshes, done) {
+            let number = |slot| materials.number(done, slot, matter.before(done, slot, 0));
+            meshes.put(placed, placement, number, &mut all.shapes);
             let triangles = placed.body.triangles() as u64;
             let counted = Counted { triangles, instance: true, ..Counted::default() };
             all.objects[placed.number as usize] = counted;
@@ -94,6 +99,8 @@ pub(super) fn assemble(
         }
         let mut one = One {
             placed,
+            rank: done,
+            matter,
             space,
             materials,
             plan,
@@ -143,6 +150,9 @@ impl Space {
 /// One object on its way.
 struct One<'a> {
     placed: &'a Placed<'a>,
+    /// Its number among the placed objects.
+    rank: usize,
+    matter: &'a Matter<'a>,
     space: &'a Space,
     materials: &'a Table,
     plan: &'a Plan,
@@ -157,8 +167,11 @@ impl One<'_> {
         match &self.placed.body {
             Body::Mesh { mesh, to_metres } => self.mesh(mesh, *to_metres),
             Body::Face { corners, coordinates } => {
-                let corners: Vec<_> =
-                    corners.iter().map(|corner| self.space.point(*corner).as_vec3()).collect();
+                let corner = |(i, corner): (usize, &DVec3)| {
+                    let metres = self.matter.moved(self.rank, i as u32).unwrap_or(*corner);
+                    self.space.point(metres).as_vec3()
+                };
+                let corners: Vec<_> = corners.iter().enumerate().map(corner).collect();
                 let indices: Vec<_> =
                     corners.iter().map(|corner| self.all.shapes.vertex(*corner)).collect();
                 let laid: Option<Vec<_>> = self.is_charted(0).then(|| {
@@ -167,8 +180,12 @@ impl One<'_> {
                 });
                 for i in 1..corners.len() - 1 {
                     let of = [0, i, i + 1];
-                    let triangle =
-                        self.triangle(of.map(|i| corners[i]), of.map(|i| indices[i]), None, 0);
+                    let triangle = self.triangle(
+                        of.map(|i| corners[i]),
+                        of.map(|i| indices[i]),
+                        None,
+                        (0, i - 1),
+                    );
                     if let (Some(triangle), Some(laid)) = (triangle, &laid) {
                         self.all.shapes.lay(triangle, of.map(|i| laid[i]));
                     }
@@ -180,7 +197,7 @@ impl One<'_> {
                 let shape = Sphere {
                     centre: centre.as_vec3(),
                     radius: radius as f32,
-                    owner: self.owner(0),
+                    owner: self.owner(0, 0),
                 };
                 if self.has_area(radius) {
                     let primitive = self.all.shapes.sphere(shape);
@@ -204,7 +221,7 @@ impl One<'_> {
                     centre: centre.as_vec3(),
                     normal: normal.as_vec3(),
                     radius: radius as f32,
-                    owner: self.owner(0),
+                    owner: self.owner(0, 0),
                 };
                 if self.has_area(radius) {
                     let primitive = self.all.shapes.disk(shape);
@@ -230,7 +247,7 @@ impl One<'_> {
                 let shape = Plane {
                     point: point.as_vec3(),
                     normal: normal.as_vec3(),
-                    owner: self.owner(0),
+                    owner: self.owner(0, 0),
                 };
                 let primitive = self.all.shapes.plane(shape);
                 self.chart(primitive, *chart);
@@ -251,7 +268,9 @@ impl One<'_> {
             let mut at = triangle.map(|i| {
                 let (index, position) = &mut corners[i as usize];
                 if *index == UNUSED {
-                    let metres = to_metres.point(mesh.positions[i as usize]);
+                    let metres = self.matter.moved(self.rank, i);
+                    let metres =
+                        metres.unwrap_or_else(|| to_metres.point(mesh.positions[i as usize]));
                     *position = self.space.point(metres).as_vec3();
                     *index = self.all.shapes.vertex(*position);
                 }
@@ -275,7 +294,8 @@ impl One<'_> {
                 smooth = smooth.map(|[a, b, c]| [a, c, b]);
             }
             let slot = mesh.slots.get(number).copied().unwrap_or(0) as usize;
-            let triangle = self.triangle(at.map(|(_, p)| p), at.map(|(i, _)| i), smooth, slot);
+            let triangle =
+                self.triangle(at.map(|(_, p)| p), at.map(|(i, _)| i), smooth, (slot, number));
             let given = mesh.coordinates_of(number).filter(|_| self.is_charted(slot));
             if let (Some(triangle), Some(of)) = (triangle, given) {
                 let [a, b, c] = of.map(|i| {
@@ -297,7 +317,7 @@ impl One<'_> {
         at: [Vec3; 3],
         corners: [u32; 3],
         normals: Option<[u32; 3]>,
-        slot: usize,
+        (slot, number): (usize, usize),
     ) -> Option<Primitive> {
         // Differences and products of f32 are exact in f64, so no area is exactly no area.
         let [a, b, c] = at.map(|corner| corner.as_dvec3());
@@ -307,7 +327,7 @@ impl One<'_> {
             self.slivers += 1;
             return None;
         }
-        let owner = self.owner(slot);
+        let owner = self.owner(slot, number);
         let primitive = self.all.shapes.triangle(Triangle { corners, normals, owner });
         self.count().triangles += 1;
         let reach = a.abs().max(b.abs()).max(c.abs());
@@ -352,9 +372,11 @@ impl One<'_> {
         }
     }
 
-    fn owner(&self, slot: usize) -> Owner {
-        let number = self.placed.number;
-        Owner { object: number, material: self.materials.number(number, slot) }
+    /// Of a triangle of a slot, or a round shape.
+    fn owner(&self, slot: usize, triangle: usize) -> Owner {
+        let before = self.matter.before(self.rank, slot, triangle);
+        let material = self.materials.number(self.rank, slot, before);
+        Owner { object: self.placed.number, material }
     }
 
     fn count(&mut self) -> &mut Counted {

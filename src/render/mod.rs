@@ -11,7 +11,9 @@ pub mod samplers;
 pub mod cameras;
 pub mod lights;
 pub mod materials;
+pub mod media;
 pub mod textures;
+pub mod overlaps;
 pub mod geometry;
 
 pub use world::World;

@@ -209,6 +209,9 @@ mod tests {
         World {
             geometry: Geometry::build(Shapes::new()),
             materials: Vec::new(),
+            media: Vec::new(),
+            overlaps: None,
+            camera_medium: 0,
             lights: Lights::default(),
             camera: Camera::Perspective(eye),
             film: Film {

@@ -5,6 +5,8 @@ use super::film::Film;
 use super::geometry::Geometry;
 use super::lights::Lights;
 use super::materials::Material;
+use super::media::Medium;
+use super::overlaps::Overlaps;
 use super::samplers::Sampler;
 use crate::math::paths::Automaton;
 
@@ -15,6 +17,12 @@ pub struct World {
     pub geometry: Geometry,
     /// What surfaces do with light; hits name them by number.
     pub materials: Vec<Material>,
+    /// What fills space; the sides of materials name them by number. The first surrounds everything.
+    pub media: Vec<Medium>,
+    /// Bodies of which one ends where another begins, if there are any.
+    pub overlaps: Option<Overlaps>,
+    /// Number of the medium around the camera.
+    pub camera_medium: u32,
     /// What shines.
     pub lights: Lights,
     /// Where the picture is taken from.

@@ -26,7 +26,8 @@ vocabulary! {
         "dielectric" => Dielectric {
             /// What is behind the face.
             inside: Ref<Medium>;
-            /// What is before it. Left out: a vacuum. A body inside of another must say it.
+            /// What is before it. Left out: what is inside of the innermost body around the surface,
+            /// and `surroundings` where there is none.
             outside: Option<Ref<Medium>>;
         }
         /// Lambert's: the same radiance in every direction.
@@ -103,6 +104,14 @@ impl Material {
     /// Whether it shines; what a mixture is made of is not looked at.
     pub fn shines(&self) -> bool {
         self.emission().is_some_and(|emission| !emission.0.is_zero())
+    }
+
+    /// The medium behind it, and the one before it where that is said, if light goes through it.
+    pub fn sides(&self) -> Option<(&Ref<Medium>, Option<&Ref<Medium>>)> {
+        match self {
+            Self::Dielectric(it) => Some((&it.inside.value, it.outside.as_ref())),
+            _ => None,
+        }
     }
 
     /// Whether light goes through it.

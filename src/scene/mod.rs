@@ -34,7 +34,7 @@ pub use light::{
     SunDisc, SunForm,
 };
 pub use material::{Conductor, Dielectric, Diffuse, Material, Mirror, Mix, Sides};
-pub use medium::{Homogeneous, Medium};
+pub use medium::{HenyeyGreenstein, Homogeneous, Isotropic, Medium, Phase};
 pub use object::{Disk, KaMeans, Mesh, Object, Plane, Quad, Sphere, Triangle};
 pub use paths::{Only, Paths};
 pub use sampler::{Independent, Sampler, Sobol, Stratified};
@@ -42,7 +42,7 @@ pub use stop::Stop;
 pub use texture::{Checker, Encoding, Image, Texture, TextureFilter, Textured, Wrap};
 pub use values::{
     Angle, Coefficient, Count, Depth, Direction, Exposure, FileName, Flux, Index, Intensity,
-    Irradiance, Length, LightCount, Number, Pair, Place, Point, Radiance, Ref, Reflectance, Size,
-    Step, Switch, Text, Time,
+    Irradiance, Length, LightCount, NameOf, Number, Pair, Place, Point, Radiance, Ref, Reflectance,
+    Size, Step, Switch, Text, Time,
 };
-pub use whole::{Items, KINDS, KindOf, NAMED_BY_FILES, Named, Scene};
+pub use whole::{Items, KINDS, KindOf, NAMED_BY_FILES, Named, SEEN, Scene};

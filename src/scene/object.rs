@@ -2,7 +2,7 @@
 
 use super::schema::Range;
 use super::vocabulary::vocabulary;
-use super::{At, Direction, FileName, Length, Material, Place, Point, Ref};
+use super::{At, Direction, FileName, Length, Material, NameOf, Place, Point, Ref};
 
 vocabulary! {
     /// A surface, or many.
@@ -19,6 +19,8 @@ vocabulary! {
             material: Ref<Material>;
             /// Where it is moved to, step by step; scales must be even.
             place: Place = "[]";
+            /// An object at whose surface what is inside of this one ends, as a drink ends at its glass.
+            yields_to: Option<NameOf<Object>>;
         }
         /// Triangles from a Wavefront file. Faces are counter-clockwise seen from their front.
         "mesh" => Mesh {
@@ -32,10 +34,14 @@ vocabulary! {
             material: Option<Ref<Material>>;
             /// Replaces materials of the file by the name they have there.
             materials: Vec<(At<String>, At<Ref<Material>>)> = "{}";
+            /// Cracks and holes of the surface around a medium are closed that are no wider than this.
+            mend: Length = "0 m", Range::at_least(0.0);
             /// What a Ka in the .mtl file means; must be said where one is not zero.
             ambient: Option<KaMeans>;
             /// Where it is moved to, step by step.
             place: Place = "[]";
+            /// An object at whose surface what is inside of this one ends, as a drink ends at its glass.
+            yields_to: Option<NameOf<Object>>;
         }
         /// A plane without end; its front is where the normal points.
         "plane" => Plane {
@@ -51,6 +57,8 @@ vocabulary! {
             tile: Length = "1 m", Range::above(0.0);
             /// Where it is moved to, step by step.
             place: Place = "[]";
+            /// An object at whose surface what is inside of this one ends, as a drink ends at its glass.
+            yields_to: Option<NameOf<Object>>;
         }
         /// A parallelogram: `corner`, `corner + u`, `corner + u + v`, `corner + v`; its front is
         /// where u × v points.
@@ -65,6 +73,8 @@ vocabulary! {
             material: Ref<Material>;
             /// Where it is moved to, step by step.
             place: Place = "[]";
+            /// An object at whose surface what is inside of this one ends, as a drink ends at its glass.
+            yields_to: Option<NameOf<Object>>;
         }
         /// A true sphere; its front is outside.
         "sphere" => Sphere {
@@ -76,6 +86,8 @@ vocabulary! {
             material: Ref<Material>;
             /// Where it is moved to, step by step; scales must be even.
             place: Place = "[]";
+            /// An object at whose surface what is inside of this one ends, as a drink ends at its glass.
+            yields_to: Option<NameOf<Object>>;
         }
         /// A single triangle; its front sees a, b, c counter-clockwise.
         "triangle" => Triangle {
@@ -89,6 +101,22 @@ vocabulary! {
             material: Ref<Material>;
             /// Where it is moved to, step by step.
             place: Place = "[]";
+            /// An object at whose surface what is inside of this one ends, as a drink ends at its glass.
+            yields_to: Option<NameOf<Object>>;
+        }
+    }
+}
+
+impl Object {
+    /// The object it yields to.
+    pub fn yields_to(&self) -> &At<Option<NameOf<Object>>> {
+        match self {
+            Self::Disk(it) => &it.yields_to,
+            Self::Mesh(it) => &it.yields_to,
+            Self::Plane(it) => &it.yields_to,
+            Self::Quad(it) => &it.yields_to,
+            Self::Sphere(it) => &it.yields_to,
+            Self::Triangle(it) => &it.yields_to,
         }
     }
 }

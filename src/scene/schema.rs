@@ -55,12 +55,13 @@ pub enum Type {
     List(&'static Type),
     /// Names of the user's with values, in braces.
     Map(&'static Type),
-    /// The name of a declaration of this kind, or a value such as it would have.
+    /// The name of a declaration of this kind, or a value such as it would have if it has a target.
     Reference {
         /// The kind's word.
         kind: &'static str,
-        /// Its type; asked for late, since a kind may refer to itself.
-        target: fn() -> Type,
+        /// Its type; asked for late, since a kind may refer to itself. None: no value stands for
+        /// the name.
+        target: Option<fn() -> Type>,
     },
 }
 
@@ -203,8 +204,11 @@ pub struct Kind {
     pub ty: Type,
     /// Whether there are many, each with a name.
     pub named: bool,
-    /// The default of an unnamed kind, in the scene language. None: it must be given.
+    /// The default of an unnamed kind, in the scene language. None: it must be given, unless
+    /// `optional`.
     pub default: Option<&'static str>,
+    /// May be left out without a default.
+    pub optional: bool,
 }
 
 /// A value that was checked against its [`Type`]; lowering it cannot fail.

@@ -113,7 +113,7 @@ impl<T> Textured<T> {
 
 impl<T: Vocabulary> Vocabulary for Textured<T> {
     const TYPE: Type = match (T::TYPE, <Ref<Texture> as Vocabulary>::TYPE) {
-        (Type::Spectrum(of), Type::Reference { kind, target }) => {
+        (Type::Spectrum(of), Type::Reference { kind, target: Some(target) }) => {
             Type::Textured { of, kind, target }
         }
         _ => panic!("textures are of spectra"),

@@ -324,12 +324,28 @@ impl<T> Serialize for Ref<T> {
 }
 
 impl<T: super::whole::KindOf + Vocabulary> Vocabulary for Ref<T> {
-    const TYPE: Type = Type::Reference { kind: T::WORD, target: || T::TYPE };
+    const TYPE: Type = Type::Reference { kind: T::WORD, target: Some(|| T::TYPE) };
 
     fn lower(checked: &Checked) -> Self {
         match checked {
             Checked::Reference(name) => Self::new(name.clone()),
             other => unchecked("a reference", other),
+        }
+    }
+}
+
+/// The name of a declaration; nothing else stands for it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(transparent)]
+pub struct NameOf<T>(pub Ref<T>);
+
+impl<T: super::whole::KindOf> Vocabulary for NameOf<T> {
+    const TYPE: Type = Type::Reference { kind: T::WORD, target: None };
+
+    fn lower(checked: &Checked) -> Self {
+        match checked {
+            Checked::Reference(name) => Self(Ref::new(name.clone())),
+            other => unchecked("a name", other),
         }
     }
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::schema::{Checked, Kind, Vocabulary};
 use super::{
-    At, Camera, Film, Integrator, Layer, Light, Material, Medium, Object, Only, Sampler, Stop,
+    At, Camera, Film, Integrator, Layer, Light, Material, Medium, Object, Only, Ref, Sampler, Stop,
     Text, Texture,
 };
 use crate::math::paths::{Expression, Which};
@@ -29,14 +29,18 @@ pub type Items = [(&'static str, At<String>, At<Checked>)];
 
 macro_rules! kinds {
     (
-        one {$($(#[doc = $odoc:literal])+ $one:ident: $One:ty $(= $default:literal)?;)*}
+        one {$(
+            $(#[doc = $odoc:literal])+
+            $(#[serde($serde:meta)])?
+            $one:ident: $One:ty $(= $default:literal)?;
+        )*}
         many {$($(#[doc = $mdoc:literal])+ $word:literal => $many:ident: $Many:ty;)*}
     ) => {
         /// What one render shows, complete. Declarations stand in the order of their names, so
         /// that their order in the text means nothing; layers alone in that of the text.
         #[derive(Clone, Debug, PartialEq, Serialize)]
         pub struct Scene {
-            $($(#[doc = $odoc])+ pub $one: At<$One>,)*
+            $($(#[doc = $odoc])+ $(#[serde($serde)])? pub $one: At<$One>,)*
             $($(#[doc = $mdoc])+ pub $many: Vec<Named<$Many>>,)*
         }
 
@@ -48,6 +52,7 @@ macro_rules! kinds {
                 ty: <$One as Vocabulary>::TYPE,
                 named: false,
                 default: super::vocabulary::described!(@default $($default)?),
+                optional: <$One as Vocabulary>::OPTIONAL,
             },)*
             $(Kind {
                 word: $word,
@@ -55,6 +60,7 @@ macro_rules! kinds {
                 ty: <$Many as Vocabulary>::TYPE,
                 named: true,
                 default: None,
+                optional: true,
             },)*
         ];
 
@@ -71,7 +77,8 @@ macro_rules! kinds {
                     $($one: {
                         let (_, _, item) = of(stringify!($one)).next()
                             .expect("checked: every unnamed kind");
-                        At::new(Vocabulary::lower(&item.value), item.span)
+                        let value = Vocabulary::lower(&item.value);
+                        At { value, span: item.span, usual: item.usual }
                     },)*
                     $($many: {
                         let mut all: Vec<_> = of($word).map(|(_, name, item)| Named {
@@ -93,6 +100,9 @@ macro_rules! kinds {
 /// The kinds whose declarations files may name: media, by materials of .mtl files.
 pub const NAMED_BY_FILES: &[&str] = &["medium"];
 
+/// The kinds whose declarations are there whether anything names them or not, though some do.
+pub const SEEN: &[&str] = &["object"];
+
 kinds! {
     one {
         /// Where the picture is taken from.
@@ -107,6 +117,9 @@ kinds! {
         sampler: Sampler = "sobol {}";
         /// When the picture is done.
         stop: Stop = "{}";
+        /// What fills the space around everything. Left out: a vacuum.
+        #[serde(skip_serializing_if = "At::is_usual")]
+        surroundings: Option<Ref<Medium>>;
     }
     many {
         /// Part of the light of the picture, in a picture of its own.

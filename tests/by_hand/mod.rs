@@ -113,6 +113,7 @@ impl Hand {
         let sampler = scene::Stratified { grid: at(scene::Count(4)) };
         Self {
             scene: scene::Scene {
+                surroundings: at(None),
                 camera: at(camera),
                 caption: at(scene::Text(String::new())),
                 film: at(film),
@@ -194,7 +195,7 @@ impl Hand {
     /// Clear matter of an index, and a material of that name whose inside it is.
     pub fn glass(mut self, name: &str, index: f64) -> Self {
         let ior = scene::Index { n: Spectrum::Constant(index), k: Spectrum::Constant(0.0) };
-        let medium = scene::Medium::Homogeneous(scene::Homogeneous { ior: at(ior) });
+        let medium = scene::Medium::Homogeneous(scene::Homogeneous::clear(at(ior)));
         self.scene.media.push(Named { name: at(name.to_string()), value: at(medium) });
         self.scene.media.sort_by(|a, b| a.name.value.cmp(&b.name.value));
         let inside = at(scene::Ref::new(name));

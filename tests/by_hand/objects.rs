@@ -19,6 +19,7 @@ impl Hand {
             v: at(scene::Point(2.0 * v)),
             material: at(scene::Ref::new(material)),
             place: at(Place::default()),
+            yields_to: at(None),
         }))
     }
 
@@ -29,6 +30,7 @@ impl Hand {
             c: at(scene::Point(c)),
             material: at(scene::Ref::new(material)),
             place: at(Place::default()),
+            yields_to: at(None),
         }))
     }
 
@@ -38,6 +40,7 @@ impl Hand {
             radius: at(scene::Length(radius)),
             material: at(scene::Ref::new(material)),
             place: at(Place::default()),
+            yields_to: at(None),
         }))
     }
 
@@ -48,6 +51,7 @@ impl Hand {
             radius: at(scene::Length(radius)),
             material: at(scene::Ref::new(material)),
             place: at(Place::default()),
+            yields_to: at(None),
         }))
     }
 
@@ -58,6 +62,7 @@ impl Hand {
             material: at(scene::Ref::new(material)),
             tile: at(scene::Length(1.0)),
             place: at(Place::default()),
+            yields_to: at(None),
         }))
     }
 
@@ -73,6 +78,8 @@ impl Hand {
             materials: at(Vec::new()),
             ambient: at(None),
             place: at(Place::default()),
+            mend: at(scene::Length(0.0)),
+            yields_to: at(None),
         }));
         let (reach, mesh) = (Arc::new(Reach::of(&mesh)), Arc::new(mesh));
         *self.meshes.last_mut().unwrap() = Some(StagedMesh { mesh, reach, materials });

@@ -18,9 +18,10 @@ fn made_of(name: &str, values: &str) -> Result<(Material, Stage), String> {
     let mut scene = scene(vec![("a", folder.mesh("a.obj"))]);
     let medium = |name: &str, n| Named {
         name: at(name.to_string()),
-        value: at(Medium::Homogeneous(Homogeneous {
-            ior: at(Index { n: Spectrum::Constant(n), k: Spectrum::Constant(0.0) }),
-        })),
+        value: at(Medium::Homogeneous(Homogeneous::clear(at(Index {
+            n: Spectrum::Constant(n),
+            k: Spectrum::Constant(0.0),
+        })))),
     };
     Arc::make_mut(&mut scene).media = vec![medium("glass", 1.5), medium("wine", 1.34)];
     let (stage, found) = Loader::new(&NoProgress).stage(&scene, &mut sources());

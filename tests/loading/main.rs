@@ -52,6 +52,7 @@ fn scene(meshes: Vec<(&str, Mesh)>) -> Arc<Scene> {
             fov_y: at(scn::scene::Angle(0.9)),
         })),
         caption: at(Text(String::new())),
+        surroundings: at(None),
         film: at(Film {
             size: at(Size([4, 4])),
             filter: at(Filter::BoxFilter(BoxFilter { radius: at(Number(0.5)) })),
@@ -98,6 +99,8 @@ impl Folder {
             materials: at(Vec::new()),
             ambient: at(None),
             place: at(Place::default()),
+            mend: at(Length(0.0)),
+            yields_to: at(None),
         }
     }
 }

@@ -9,14 +9,14 @@ use crate::direct;
 
 const ANGLES: [f64; 6] = [0.0, 45.0, 60.0, 75.0, 85.0, 89.0];
 
-/// What a disk of a material gives back of light of 1, seen at an angle; behind it is darkness.
+/// What a plane of a material gives back of light of 1, seen at an angle; behind it is darkness.
 fn given_back(hand: Hand, degrees: f64, from_behind: bool) -> f64 {
     let side = if from_behind { -1.0 } else { 1.0 };
     let (sin, cos) = degrees.to_radians().sin_cos();
     let hand = hand
         .background(1.0)
         .material("dark", 0.0, 0.0)
-        .disk(DVec3::ZERO, DVec3::Z, 1.0, "it")
+        .plane(DVec3::ZERO, DVec3::Z, "it")
         .disk(DVec3::Z * -1e-3 * side, DVec3::Z, 2.0, "dark")
         .camera(dvec3(0.3 * sin, 0.0, 0.3 * side * cos), DVec3::ZERO, 1e-6);
     f64::from(hand.picture().pixels[0].g)

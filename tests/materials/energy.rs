@@ -108,9 +108,11 @@ fn in_even_light_each_material_and_mixture_gives_back_its_part() {
         for (integrator, samples) in [(tracer(0), 1024), (tracer(2), 64), (direct(2), 64)] {
             for degrees in if mixed { &[50.0_f64][..] } else { &[0.0, 60.0, 89.0] } {
                 let (sin, cos) = degrees.to_radians().sin_cos();
-                let hand = furnace(integrator.clone())
-                    .disk(DVec3::ZERO, DVec3::Z, 1.0, name)
-                    .camera(dvec3(3.0 * sin, 0.0, 3.0 * cos), DVec3::ZERO, 1e-3);
+                let hand = furnace(integrator.clone()).plane(DVec3::ZERO, DVec3::Z, name).camera(
+                    dvec3(3.0 * sin, 0.0, 3.0 * cos),
+                    DVec3::ZERO,
+                    1e-3,
+                );
                 let truth = part(&hand, name, cos);
                 let what = format!("{name} at {degrees}");
                 assert_mean(&even(hand, samples).estimate(), truth, 0.005 * truth, &what);

@@ -13,8 +13,7 @@ fn through(hand: Hand, surfaces: &[(&str, f64)], degrees: f64) -> Hand {
     let (sin, cos) = f64::to_radians(degrees).sin_cos();
     let mut hand = hand.material("lamp", 0.0, 1.0);
     for (number, (material, front)) in surfaces.iter().enumerate() {
-        let (u, v) = (DVec3::X * 500.0, DVec3::Y * 500.0 * *front);
-        hand = hand.quad(DVec3::NEG_Z * 0.1 * number as f64, u, v, material);
+        hand = hand.plane(DVec3::NEG_Z * 0.1 * number as f64, DVec3::Z * *front, material);
     }
     let lamp = DVec3::NEG_Z * (0.1 * surfaces.len() as f64 + 1.0);
     let hand = hand.quad(lamp, DVec3::X * 900.0, DVec3::Y * 900.0, "lamp");

@@ -47,7 +47,7 @@ fn kind(kind: &Kind) -> String {
     text.push_str(&format!("\n{}", flow(kind.doc)));
     match kind.default.map(types::tidy) {
         Some(default) if default != "{}" => text.push_str(&format!(" Default: `{default}`.")),
-        None if !kind.named => text.push_str(" It must be given."),
+        None if !kind.optional => text.push_str(" It must be given."),
         _ => {}
     }
     text.push('\n');

@@ -71,6 +71,7 @@ pub fn form(ty: Type) -> String {
         Type::Record(_) => "fields in braces".to_string(),
         Type::List(inner) => format!("list [ … ] of {}", form(*inner)),
         Type::Map(inner) => format!("record {{ NAME: …, … }}, each {}", form(*inner)),
+        Type::Reference { kind, target: None } => format!("the name of a {kind}"),
         Type::Reference { kind, .. } => format!("the name of a {kind}, or a {kind} itself"),
     }
 }

@@ -151,7 +151,7 @@ impl Checker<'_> {
         &self,
         value: &Value,
         kind: &'static str,
-        target: Type,
+        target: Option<Type>,
         place: &str,
     ) -> Option<Checked> {
         let ev = self.ev;
@@ -161,7 +161,7 @@ impl Checker<'_> {
             _ => None,
         };
         let variants = match target {
-            Type::OneOf(variants) => Some(variants),
+            Some(Type::OneOf(variants)) => Some(variants),
             _ => None,
         };
         if let Some(word) = &name {
@@ -184,16 +184,22 @@ impl Checker<'_> {
                 }
                 return None;
             }
-        } else if !matches!(value.kind, ValueKind::Record(_)) {
+        } else if !matches!(value.kind, ValueKind::Record(_)) || target.is_none() {
             let said = meant::said(ev, value.span);
             let made = variants.zip(said).map(|(all, text)| meant::made_of(all, value, text));
             let (made, found) = (made.unwrap_or_default(), value.described());
             let place = format!("`{place}`");
-            ev.reports.tell(names::no_declaration(&place, kind, &found, &made, value.span));
+            ev.reports.tell(names::no_declaration(
+                &place,
+                (kind, target.is_some()),
+                &found,
+                &made,
+                value.span,
+            ));
             return None;
         }
         // The same value once more: not one level further in.
-        let checked = self.landed(value, &target, &Range::ANY, place)?;
+        let checked = self.landed(value, &target?, &Range::ANY, place)?;
         let mut name = place.to_string();
         let taken = |name: &str| {
             let hoisted = self.hoisted.borrow();

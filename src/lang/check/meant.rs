@@ -26,10 +26,12 @@ pub fn said<'e>(ev: &'e Evaluator, span: Span) -> Option<&'e str> {
 fn variants(ty: &Type) -> Option<&'static Variants> {
     match ty {
         Type::OneOf(variants) => Some(variants),
-        Type::Reference { target, .. } | Type::Textured { target, .. } => match target() {
-            Type::OneOf(variants) => Some(variants),
-            _ => None,
-        },
+        Type::Reference { target: Some(target), .. } | Type::Textured { target, .. } => {
+            match target() {
+                Type::OneOf(variants) => Some(variants),
+                _ => None,
+            }
+        }
         _ => None,
     }
 }

@@ -244,7 +244,9 @@ impl<'a> Checker<'a> {
                     None
                 }
             },
-            Type::Reference { kind, target } => self.reference(value, kind, target(), place),
+            Type::Reference { kind, target } => {
+                self.reference(value, kind, target.map(|target| target()), place)
+            }
         }
     }
 
@@ -428,9 +430,11 @@ impl<'a> Checker<'a> {
             Type::OneOf(variants) => variants.all.first().map_or("", |record| record.word).into(),
             Type::Record(_) | Type::Map(_) => "{ … }".into(),
             Type::List(_) => "[ … ]".into(),
-            Type::Reference { kind, target } => match (self.names_of(kind).first(), target()) {
+            Type::Reference { kind, target } => match (self.names_of(kind).first(), target) {
                 (Some(name), _) => (*name).into(),
-                (None, Type::OneOf(variants)) => self.shape(variants, None),
+                (None, Some(target)) if let Type::OneOf(variants) = target() => {
+                    self.shape(variants, None)
+                }
                 _ => (*kind).into(),
             },
         }

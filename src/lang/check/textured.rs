@@ -38,7 +38,7 @@ impl Checker<'_> {
             _ => false,
         };
         match is_texture {
-            true => self.reference(value, kind, target, place),
+            true => self.reference(value, kind, Some(target), place),
             false => spectral::spectrum(self.ev, value, of, range, &format!("`{place}`")),
         }
     }

@@ -10,7 +10,7 @@ use crate::scene::KINDS;
 use crate::scene::spectral::RECORDS;
 
 /// How many names a message lists at most.
-const LISTED: usize = 18;
+const LISTED: usize = 24;
 
 /// "did you mean `a`?" with a mend for each, or the list of all when they are few.
 fn offer(told: Diagnostic, found: &str, span: Span, all: &[&str], what: &str) -> Diagnostic {
@@ -355,12 +355,15 @@ pub fn unknown_declaration(
 /// may be made of it.
 pub fn no_declaration(
     place: &str,
-    kind: &str,
+    (kind, or_itself): (&str, bool),
     found: &str,
     made: &[String],
     span: Span,
 ) -> Diagnostic {
-    let expected = format!("the name of a {kind}, or a {kind}");
+    let expected = match or_itself {
+        true => format!("the name of a {kind}, or a {kind}"),
+        false => format!("the name of a {kind}"),
+    };
     let told = super::types::mismatch(place, &expected, found, span);
     if made.is_empty() {
         return told;

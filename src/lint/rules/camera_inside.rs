@@ -4,10 +4,9 @@ use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::lint::inside::{Side, side};
-use crate::lint::view::eye;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
-    let Some((eye, at)) = eye(shot) else { return };
+    let Some((eye, at)) = shot.eye() else { return };
     let boxes: Vec<_> = shot.things.iter().map(|thing| (thing, thing.bounds())).collect();
     for (i, (thing, bounds)) in boxes.iter().enumerate() {
         // Walls look inward, or shine, or have something between them: that is a room.

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
+use crate::bodies::Flat;
 use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic};
 use crate::lint::Shot;
-use crate::lint::flat::Flat;
 use crate::scene::{Material, Named};
 
 /// The same place, as a part of the size.

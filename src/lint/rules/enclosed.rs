@@ -4,10 +4,9 @@ use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic};
 use crate::lint::Shot;
 use crate::lint::inside::{Side, side};
-use crate::lint::view::eye;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
-    let Some((eye, _)) = eye(shot) else { return };
+    let Some((eye, _)) = shot.eye() else { return };
     let boxes: Vec<_> = shot.things.iter().map(|thing| (thing, thing.bounds())).collect();
     for (thing, bounds) in boxes.iter().filter(|(_, bounds)| !bounds.is_empty()) {
         let around = boxes.iter().find(|(outer, space)| {

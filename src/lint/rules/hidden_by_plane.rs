@@ -5,14 +5,13 @@ use glam::DVec3;
 use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
-use crate::lint::view::eye;
 use crate::math::Bounds;
 
 /// Parts of an object's size by which it may rise from the plane and still be told: rounding.
 const ROUNDING: f64 = 1e-9;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
-    let Some((eye, at)) = eye(shot) else { return };
+    let Some((eye, at)) = shot.eye() else { return };
     let boxes: Vec<(&Placed, Bounds)> = shot.things.iter().map(|it| (it, it.bounds())).collect();
     let bounded: Vec<_> = boxes.iter().filter(|(_, bounds)| !bounds.is_empty()).collect();
     for plane in &shot.things {

@@ -4,11 +4,10 @@ use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic};
 use crate::lint::Shot;
 use crate::lint::inside::{Side, is_closed, side, volume};
-use crate::lint::view::eye;
 use crate::scene::Integrator;
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
-    let Some((eye, _)) = eye(shot) else { return };
+    let Some((eye, _)) = shot.eye() else { return };
     if matches!(shot.stage.scene.integrator.value, Integrator::Preview(_)) {
         return;
     }
@@ -33,5 +32,5 @@ fn inward(lamp: &Placed) -> Diagnostic {
     Diagnostic::warning(Code::LINT_INWARD_LAMP, headline)
         .label(lamp.name().span, "is closed, and the fronts of its faces look inward")
         .why("A lamp shines from the front of its faces, from which their corners are counter-clockwise.")
-        .help("turn its faces round in the program that made it, or mirror it: `place: [scale(-1, 1, 1)]`")
+        .help("turn its faces round in the program that made it, or let both sides shine: `emits: both`")
 }

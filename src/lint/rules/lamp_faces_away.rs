@@ -1,14 +1,13 @@
 //! A flat lamp whose front looks away from everything: lamps shine from their front alone.
 
+use crate::bodies::Flat;
 use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic};
 use crate::lint::Shot;
-use crate::lint::flat::Flat;
-use crate::lint::view::eye;
 use crate::scene::{Integrator, Object};
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
-    let Some((eye, _)) = eye(shot) else { return };
+    let Some((eye, _)) = shot.eye() else { return };
     if matches!(shot.stage.scene.integrator.value, Integrator::Preview(_)) || shot.things.len() < 2
     {
         return;

@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use crate::bodies::{Body, Placed};
 use crate::diag::{Code, Diagnostic, Span};
-use crate::lint::view::eye;
 use crate::lint::{Shot, everywhere};
 use crate::scene::{Light, PointLight, SpotLight};
 
@@ -46,7 +45,7 @@ enum From {
 /// Whether a plane keeps the light from the side of it on which the camera and all objects are.
 fn blocks(shot: &Shot, plane: &Placed, from: From) -> bool {
     let Body::Plane { point, normal, .. } = plane.body else { return false };
-    let Some((eye, _)) = eye(shot) else { return false };
+    let Some((eye, _)) = shot.eye() else { return false };
     let side = (eye - point).dot(normal).signum();
     let boxes = shot.things.iter().map(Placed::bounds).filter(|bounds| !bounds.is_empty());
     // What is partly below the floor may be meant to be lit there.

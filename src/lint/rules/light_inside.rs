@@ -5,13 +5,12 @@ use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::Shot;
 use crate::lint::inside::{Side, side};
-use crate::lint::view::eye;
 use crate::scene::{Light, PointLight, SpotLight};
 
 pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let scene = &shot.stage.scene;
     let integrator = &scene.integrator.value;
-    let Some((eye, _)) = eye(shot) else { return };
+    let Some((eye, _)) = shot.eye() else { return };
     if !integrator.follows_light() || integrator.shadows().is_err() {
         return;
     }

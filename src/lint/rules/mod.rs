@@ -24,8 +24,6 @@ mod many_turns;
 mod missing_caption;
 mod names_by_case;
 mod noisy_filter;
-mod open_glass;
-mod outside_unsaid;
 mod same_caption;
 mod same_medium;
 mod same_picture;
@@ -74,8 +72,6 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_MISSING_CAPTION, look: Look::Renders(missing_caption::look) },
     Rule { code: Code::LINT_NAMES_BY_CASE, look: Look::Text(names_by_case::look) },
     Rule { code: Code::LINT_NOISY_FILTER, look: Look::Render(noisy_filter::look) },
-    Rule { code: Code::LINT_OPEN_GLASS, look: Look::Render(open_glass::look) },
-    Rule { code: Code::LINT_OUTSIDE_UNSAID, look: Look::Render(outside_unsaid::look) },
     Rule { code: Code::LINT_SAME_CAPTION, look: Look::Renders(same_caption::look) },
     Rule { code: Code::LINT_SAME_MEDIUM, look: Look::Render(same_medium::look) },
     Rule { code: Code::LINT_SAME_PICTURE, look: Look::Renders(same_picture::look) },

@@ -1,5 +1,6 @@
 //! Faults that show when a scene is put together.
 
+pub(super) mod matter;
 pub(super) mod paths;
 pub(super) mod scene;
 pub(super) mod texture;

@@ -2,7 +2,7 @@
 
 use crate::diag::{Code, Diagnostic, Span};
 use crate::plan::daylight::SunHours;
-use crate::scene::{At, Material, Medium, Named};
+use crate::scene::{At, Material, Named};
 
 /// A camera whose eye is the point it looks at.
 pub fn looks_nowhere(eye: Span, look_at: Span) -> Diagnostic {
@@ -257,13 +257,4 @@ pub fn mixed_sides(
     .label(other.value.span, "… than this does")
     .why("A lamp shines with the same radiance on its front alone, or on both of its sides.")
     .help("write the same `emits` for both")
-}
-
-/// A medium in which light fades.
-pub fn absorbing_medium(medium: &Named<Medium>, ior: Span) -> Diagnostic {
-    let headline = format!("the medium `{}` has a complex index", *medium.name);
-    Diagnostic::error(Code::SCENE_ABSORBING_MEDIUM, headline)
-        .label(ior, "light fades in it")
-        .why("Media that absorb are yet to come. Nothing travels in a metal: it has no medium, but a surface.")
-        .help("for metal write `material NAME: conductor { ior: … }` with this index; for clear matter, a real index")
 }

@@ -7,6 +7,7 @@ use crate::render::World;
 use crate::render::geometry::{Hit, Ray};
 use crate::render::lights::Site;
 use crate::render::materials::{Bsdf, Scattered};
+use crate::render::overlaps::Overlaps;
 use crate::render::tiles::Counts;
 
 /// What a sample brings home.
@@ -19,6 +20,8 @@ pub struct Carrier<'w> {
     pub layers: Vec<Rgb>,
     /// Which paths belong where; None: all to the picture alone.
     paths: Option<&'w Automaton>,
+    /// Which bodies end where others begin.
+    overlaps: Option<&'w Overlaps>,
     /// The paths themselves, where they are asked for.
     pub(super) traced: Option<Tracing>,
     /// Number of the object that the camera's ray met.
@@ -62,6 +65,8 @@ pub(super) struct Branch {
     pub scattered: u32,
     /// Surfaces that reflected or refracted in one direction alone.
     pub mirrored: u32,
+    /// Bits of overlapping bodies that the ray is inside of.
+    pub inside: u64,
 }
 
 /// Where a path stands among those that are asked for, and which one it is.
@@ -81,6 +86,7 @@ impl<'w> Carrier<'w> {
             radiance: Rgb::BLACK,
             layers: vec![Rgb::BLACK; world.film.layers],
             paths: world.paths.as_ref(),
+            overlaps: world.overlaps.as_ref(),
             traced: None,
             object: None,
             waiting: Vec::new(),
@@ -115,7 +121,7 @@ impl<'w> Carrier<'w> {
 
     /// A ray goes on behind an event, and is followed later; not if nothing is shown of its path,
     /// however it goes on.
-    pub(super) fn follow(&mut self, branch: Branch, event: Event, hit: &Hit) {
+    pub(super) fn follow(&mut self, mut branch: Branch, event: Event, hit: &Hit) {
         self.followed += 1;
         if self.followed.is_multiple_of(PATIENCE)
             && self.give_up.is_some_and(|give_up| give_up(self.followed))
@@ -125,6 +131,9 @@ impl<'w> Carrier<'w> {
             // The next one is not followed either.
             self.followed -= 1;
             return;
+        }
+        if let (Some(overlaps), Event::SpecularTransmission) = (self.overlaps, event) {
+            branch.inside = overlaps.beyond(branch.inside, hit, branch.ray.direction);
         }
         let trail = self.after(branch.trail, event, hit);
         if !self.paths.is_some_and(|paths| paths.is_dead(trail.state)) {
@@ -160,7 +169,7 @@ impl<'w> Carrier<'w> {
 
 impl Branch {
     /// The camera's ray.
-    pub fn first(ray: &Ray, trail: Trail) -> Self {
+    pub fn first(world: &World, ray: &Ray, trail: Trail) -> Self {
         Self {
             ray: *ray,
             throughput: Rgb::ONE,
@@ -172,7 +181,18 @@ impl Branch {
             diffuse_splits: 0,
             scattered: 0,
             mirrored: 0,
+            inside: world.overlaps.as_ref().map_or(0, |overlaps| overlaps.camera),
         }
+    }
+
+    /// The first surface that the ray meets.
+    pub fn meet(&mut self, world: &World) -> Option<Hit> {
+        let hit = world.geometry.closest(&self.ray)?;
+        let Some(overlaps) = &world.overlaps else { return Some(hit) };
+        let direction = self.ray.direction;
+        let (hit, inside) = overlaps.first(&world.geometry, hit, direction, self.inside)?;
+        self.inside = inside;
+        Some(hit)
     }
 
     /// The ray that goes on in one direction alone; its trail is still that before the surface.

@@ -39,9 +39,9 @@ impl Direct {
     /// Radiance along the ray.
     pub fn radiance(&self, world: &World, ray: &Ray, stream: &mut Stream, carrier: &mut Carrier) {
         let trail = carrier.start();
-        carrier.waiting.push(Branch::first(ray, trail));
-        while let Some(branch) = carrier.waiting.pop() {
-            let Some(hit) = world.geometry.closest(&branch.ray) else {
+        carrier.waiting.push(Branch::first(world, ray, trail));
+        while let Some(mut branch) = carrier.waiting.pop() {
+            let Some(hit) = branch.meet(world) else {
                 let direction = branch.ray.direction;
                 let seen = branch.throughput * world.lights.seen(direction);
                 carrier.add(branch.trail, seen, Source::Direction(direction));

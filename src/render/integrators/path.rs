@@ -49,9 +49,9 @@ impl Path {
     /// Radiance along the ray.
     pub fn radiance(&self, world: &World, ray: &Ray, stream: &mut Stream, carrier: &mut Carrier) {
         let trail = carrier.start();
-        carrier.waiting.push(Branch::first(ray, trail));
-        while let Some(branch) = carrier.waiting.pop() {
-            let Some(hit) = world.geometry.closest(&branch.ray) else {
+        carrier.waiting.push(Branch::first(world, ray, trail));
+        while let Some(mut branch) = carrier.waiting.pop() {
+            let Some(hit) = branch.meet(world) else {
                 self.escaped(world, &branch, carrier);
                 continue;
             };

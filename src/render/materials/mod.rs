@@ -33,6 +33,10 @@ pub struct Material {
     pub surface: Surface,
     /// What it shines.
     pub emission: Emission,
+    /// Number of the medium before it.
+    pub before: u32,
+    /// Number of the medium behind it; None: no light goes through.
+    pub behind: Option<u32>,
 }
 
 /// What a surface shines of itself.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use crate::bodies::{Body, Placed};
+use super::placed::{Body, Placed};
 
 /// Corners that stand for a disk.
 const ROUND: usize = 32;
@@ -18,7 +18,8 @@ const LEAST: f64 = 1e-5;
 
 /// A convex flat surface, counter-clockwise seen from its front; without corners, a plane.
 #[derive(Clone, Debug)]
-pub(super) struct Flat {
+pub struct Flat {
+    /// A point of it.
     pub point: DVec3,
     /// Unit length.
     pub normal: DVec3,

@@ -1,0 +1,183 @@
+//! Family `matter`: surfaces that bound no body, and bodies that cannot be told apart.
+
+use glam::DVec3;
+
+use crate::diag::{Code, Diagnostic, Span};
+use crate::scene::At;
+
+const CLOSED: &str = "What is inside of a medium is told by its surface: all surfaces that name \
+                      it, of all objects, must close together.";
+
+/// A disk on whose side there is a medium.
+pub fn disk(name: &At<String>) -> Diagnostic {
+    let headline = format!("the disk `{}` cannot bound a medium", **name);
+    Diagnostic::error(Code::MATTER_OPEN, headline)
+        .label(name.span, "light that goes in never comes out")
+        .why(CLOSED)
+        .help("use a closed mesh, or a `sphere`; a disk may be of any opaque material")
+}
+
+/// A surface around a medium that is open at `edges` edges, the first of them at a place.
+pub fn open(medium: &str, objects: &[&At<String>], edges: usize, at: DVec3) -> Diagnostic {
+    let headline = format!("the surface around `{medium}` is open");
+    let label = match edges {
+        1 => format!("does not go on at an edge near {}", place(at)),
+        _ => format!("does not go on at {edges} edges, the first near {}", place(at)),
+    };
+    labelled(Diagnostic::error(Code::MATTER_OPEN, headline), objects, label).why(CLOSED).help(
+        format!(
+            "close its holes in the program that made it; or give what closes it the same medium, \
+             `dielectric {{ inside: {medium} }}`. A pane is a box with six sides"
+        ),
+    )
+}
+
+/// Two parts of a surface with a gap between them, `width` metres wide.
+pub fn gap(medium: &str, objects: &[&At<String>], width: f64, at: DVec3) -> Diagnostic {
+    let headline =
+        format!("the surface around `{medium}` has a gap {} wide", length(width, Round::Near));
+    let label = format!("the gap begins near {}", place(at));
+    labelled(Diagnostic::error(Code::MATTER_GAP, headline), objects, label).why(CLOSED).help(
+        format!(
+            "write `mend: {}` in the mesh to close it, or move the points together",
+            length(width, Round::Up)
+        ),
+    )
+}
+
+/// Faces side by side of which one looks outward and one inward.
+pub fn turned(medium: &str, objects: &[&At<String>], edges: usize, at: DVec3) -> Diagnostic {
+    let headline = format!("faces around `{medium}` look different ways");
+    let label = match edges {
+        1 => format!("on the two sides of an edge near {}", place(at)),
+        _ => format!("on the two sides of {edges} edges, the first near {}", place(at)),
+    };
+    labelled(Diagnostic::error(Code::MATTER_TURNED, headline), objects, label)
+        .why("A medium is behind faces, from whose front their corners are counter-clockwise. Here some have it on the other side.")
+        .help("let the program that made the mesh turn its faces outward, all of them")
+}
+
+/// Bodies, by object and medium, that are both at one place.
+pub fn meeting(
+    [(one, inside), (other, _)]: [(&At<String>, &str); 2],
+    at: DVec3,
+    coincide: bool,
+) -> Diagnostic {
+    let (code, what) = match coincide {
+        true => (Code::MATTER_COINCIDE, "lie on each other"),
+        false => (Code::MATTER_CROSS, "cross"),
+    };
+    if one.span == other.span {
+        let headline = format!("two bodies of `{}` {what}", **one);
+        return Diagnostic::error(code, headline)
+            .label(one.span, format!("near {}", place(at)))
+            .why("Bodies are apart, or one is inside of the other. Where they overlap, either could be meant.")
+            .help("move them apart, or join them to one body, in the program that made the mesh");
+    }
+    let headline = format!("the surfaces of `{}` and `{}` {what}", **one, **other);
+    let fault = Diagnostic::error(code, headline)
+        .label(one.span, format!("meets the other near {}", place(at)))
+        .label(other.span, "the other");
+    match coincide {
+        true => fault
+            .why("Of two surfaces at one place, rounding would decide which one a ray meets.")
+            .help(format!(
+                "where two bodies touch let there be one surface that names both media, such as \
+                 `dielectric {{ inside: {inside}, outside: … }}`; or let one of them reach clearly \
+                 into the other, and say `yields_to`"
+            )),
+        false => fault
+            .why("Bodies are apart, or one is inside of the other. Where they overlap, either could be meant.")
+            .help(format!(
+                "move them apart; or say which one ends where the other begins: `yields_to: {}` in \
+                 `{}`, or the other way round",
+                **other, **one
+            )),
+    }
+}
+
+/// A body that would be everywhere but within its surface.
+pub fn inside_out(medium: &str, object: &At<String>) -> Diagnostic {
+    let headline = format!("the surface of `{}` is inside out", **object);
+    Diagnostic::error(Code::MATTER_INSIDE_OUT, headline)
+        .label(object.span, format!("its faces look inward: `{medium}` would be all around it"))
+        .why("A medium is behind faces, from whose front their corners are counter-clockwise.")
+        .help(format!(
+            "turn its faces round in the program that made it. If it is a bubble, let its faces look \
+             outward, name the medium of the bubble as its inside, and write `surroundings: {medium}`"
+        ))
+}
+
+/// More bodies that overlap than can be told apart.
+pub fn too_many(first: Span, most: usize) -> Diagnostic {
+    let headline = format!("more than {most} bodies end where others begin");
+    Diagnostic::error(Code::MATTER_TOO_MANY, headline)
+        .label(first, "this is one of them")
+        .why(format!("Each ray knows which of these it is inside of, and has room for {most}."))
+        .help("let objects of one medium be one mesh, or do without `yields_to` where bodies do not meet")
+}
+
+fn labelled(fault: Diagnostic, objects: &[&At<String>], first: String) -> Diagnostic {
+    let mut first = Some(first);
+    objects.iter().fold(fault, |fault, name| {
+        fault.label(name.span, first.take().unwrap_or_else(|| "so does this".to_string()))
+    })
+}
+
+/// A place, in the unit that its numbers are short in.
+fn place(at: DVec3) -> String {
+    let (factor, unit) = unit(at.abs().max_element());
+    let [x, y, z] = (at / factor).to_array().map(|x| {
+        let x = format!("{x:.3}");
+        let short = x.trim_end_matches('0').trim_end_matches('.').to_string();
+        if short == "-0" { "0".to_string() } else { short }
+    });
+    format!("({x}, {y}, {z}) {unit}")
+}
+
+/// Which way digits go that are left out.
+enum Round {
+    Near,
+    Up,
+}
+
+/// A length of two digits, as it is written in a scene.
+fn length(metres: f64, round: Round) -> String {
+    let (factor, unit) = unit(metres);
+    let value = metres / factor;
+    let step = 10.0_f64.powf(value.log10().floor() - 1.0);
+    let digits = match round {
+        Round::Near => (value / step).round(),
+        Round::Up => (value / step).floor() + 1.0,
+    };
+    let places = (-step.log10()).ceil().max(0.0) as usize;
+    let text = format!("{:.places$}", digits * step);
+    let short = if places > 0 { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    format!("{short} {unit}")
+}
+
+fn unit(metres: f64) -> (f64, &'static str) {
+    match metres {
+        x if x >= 1.0 => (1.0, "m"),
+        x if x >= 1e-2 => (1e-2, "cm"),
+        x if x >= 1e-3 => (1e-3, "mm"),
+        x if x >= 1e-6 => (1e-6, "um"),
+        x if x > 0.0 => (1e-9, "nm"),
+        _ => (1.0, "m"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_have_two_digits_and_never_too_little() {
+        assert_eq!(length(1.1e-4, Round::Near), "110 um");
+        assert_eq!(length(1.14e-3, Round::Near), "1.1 mm");
+        assert_eq!(length(1.14e-3, Round::Up), "1.2 mm");
+        assert_eq!(length(1.0e-3, Round::Up), "1.1 mm");
+        assert_eq!(length(0.042, Round::Up), "4.3 cm");
+        assert_eq!(place(DVec3::new(0.1, -1e-9, 0.05)), "(10, 0, 5) cm");
+    }
+}
