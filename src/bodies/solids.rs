@@ -358,5 +358,5 @@ fn crosses(from: DVec3, way: DVec3, [a, b, c]: [DVec3; 3]) -> Option<i32> {
     let t = v.dot(over) / facing;
     let inside = first >= 0.0 && second >= 0.0 && first + second <= 1.0 && t > 0.0;
     // The normal is u × v, and way · (u × v) is -facing.
-    (facing != 0.0 && inside).then(|| if facing < 0.0 { 1 } else { -1 })
+    (facing != 0.0 && inside).then_some(if facing < 0.0 { 1 } else { -1 })
 }
