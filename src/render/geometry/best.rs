@@ -1,7 +1,7 @@
 //! The best meeting so far of a ray on its way through the tree.
 
 use super::block::Block;
-use super::lanes::{LANES, Lanes};
+use super::lanes::{LANES, Portable};
 use super::ray::Probe;
 use super::shapes::Primitive;
 
@@ -53,30 +53,42 @@ impl Best {
     /// A triangle met at a t > 0 within bounds. Only if they overlap with those of the best, f64
     /// tells which comes first.
     #[inline(always)]
-    pub fn offer_within<L: Lanes>(
+    pub fn offer_within(
         &mut self,
-        lanes: L,
         [least, most]: [f32; 2],
         (blocks, place): (&[Block], usize),
         probe: &Probe,
     ) {
-        let (block, lane) = (&blocks[place / LANES], place % LANES);
         if most < self.least {
-            *self = Self { t: most, least, place, primitive: Some(block.primitive(lane)) };
+            let primitive = Some(blocks[place / LANES].primitive(place % LANES));
+            *self = Self { t: most, least, place, primitive };
         } else if least <= self.t {
-            self.settle(lanes, blocks, probe);
-            if let Some(t) = block.face(lane).meet(lanes, probe, true) {
-                self.offer_at(t, block.primitive(lane), place);
-            }
+            self.offer_exactly((blocks, place), probe, true);
+        }
+    }
+
+    /// A triangle, if it is met; `inside` if the ray is known to pass inside of its edges.
+    #[cold]
+    #[inline(never)]
+    pub fn offer_exactly(
+        &mut self,
+        (blocks, place): (&[Block], usize),
+        probe: &Probe,
+        inside: bool,
+    ) {
+        let (block, lane) = (&blocks[place / LANES], place % LANES);
+        if let Some(t) = block.face(lane).meet(Portable, probe, inside) {
+            self.settle(blocks, probe);
+            self.offer_at(t, block.primitive(lane), place);
         }
     }
 
     /// Makes the parameter exact.
-    #[inline(always)]
-    pub fn settle<L: Lanes>(&mut self, lanes: L, blocks: &[Block], probe: &Probe) {
+    #[inline]
+    pub fn settle(&mut self, blocks: &[Block], probe: &Probe) {
         if self.least < self.t {
             let face = blocks[self.place / LANES].face(self.place % LANES);
-            self.t = face.meet(lanes, probe, true).unwrap_or(self.t);
+            self.t = face.meet(Portable, probe, true).unwrap_or(self.t);
             self.least = self.t;
         }
     }

@@ -85,6 +85,7 @@ impl Block {
         off: Option<f32>,
     ) -> Candidates<L> {
         let [x, y, z] = probe.axes;
+        let (x, y, z) = (x as usize, y as usize, z as usize);
         let (xs, ys, zs) = (&self.corners[x], &self.corners[y], &self.corners[z]);
         let nothing = [lanes.splat(0.0); 2];
         if probe.extreme {

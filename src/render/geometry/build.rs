@@ -20,6 +20,7 @@ use super::ask::Walker;
 use super::block::Block;
 use super::lanes::LANES;
 use super::node::{Below, Child, Node};
+use super::pages;
 use super::ray::MODERATE;
 use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
@@ -86,7 +87,9 @@ impl Tree {
             Collapse::of(&boxed, items, depth);
         drop((clusters, weights));
         let fill = |leaf: &Leaf| Block::new(shapes, &order[leaf.range()]);
-        tree.blocks = leaves.par_iter().with_min_len(GRAIN / LANES).map(fill).collect();
+        tree.blocks = pages::roomy(leaves.len());
+        let filled = leaves.par_iter().with_min_len(GRAIN / LANES).map(fill);
+        filled.collect_into_vec(&mut tree.blocks);
         for (number, leaf) in leaves.iter().enumerate() {
             let all = order[leaf.range()].iter();
             let bounds = all.fold(Bounds::EMPTY, |sum, p| sum.union(padded(shapes, *p)));
@@ -95,9 +98,8 @@ impl Tree {
             nodes[node].children[lane] = Child::block(number);
         }
         enclose(&mut nodes);
-        nodes.shrink_to_fit();
-        tree.nodes = nodes;
-        tree.blocks.shrink_to_fit();
+        tree.nodes = pages::roomy(nodes.len());
+        tree.nodes.append(&mut nodes);
         tree
     }
 }

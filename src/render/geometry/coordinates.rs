@@ -57,7 +57,16 @@ impl Coordinates {
 
     /// Of a point of a primitive; `weights` are those of the second and third corner of a
     /// triangle, and its coordinates if it has no others.
+    #[inline(always)]
     pub fn at(&self, primitive: Primitive, position: Vec3, weights: Vec2) -> DVec2 {
+        if primitive.kind() == Kind::Triangle && self.triangles.is_empty() {
+            return weights.as_dvec2();
+        }
+        self.found(primitive, position, weights)
+    }
+
+    #[inline(never)]
+    fn found(&self, primitive: Primitive, position: Vec3, weights: Vec2) -> DVec2 {
         if primitive.kind() == Kind::Triangle {
             return match self.triangles.get(primitive.index().wrapping_sub(self.first)) {
                 Some(corners) if *corners != NONE => {

@@ -107,9 +107,9 @@ impl Crowd {
 
     #[inline(always)]
     fn meet<L: Lanes, const ANY: bool>(&self, lanes: L, probe: &Probe, first: First) -> First {
-        let slabs = Slabs::new(lanes, probe);
-        let mut outside = Outside::<ANY> { crowd: self, probe, first };
-        descend::<L, ANY, _>(lanes, &self.nodes, &slabs, &mut outside);
+        let slabs = Slabs::new(probe);
+        let mut outside = Outside::<ANY> { crowd: self, probe, slabs, first };
+        descend::<L, ANY, _>(lanes, &self.nodes, &mut outside);
         outside.first
     }
 }
@@ -127,10 +127,16 @@ struct First {
 struct Outside<'a, const ANY: bool> {
     crowd: &'a Crowd,
     probe: &'a Probe,
+    slabs: Slabs,
     first: First,
 }
 
 impl<L: Lanes, const ANY: bool> Ends<L> for Outside<'_, ANY> {
+    #[inline(always)]
+    fn slabs(&self) -> &Slabs {
+        &self.slabs
+    }
+
     #[inline(always)]
     fn limit(&self) -> f32 {
         self.first.t
@@ -147,8 +153,8 @@ impl<L: Lanes, const ANY: bool> Ends<L> for Outside<'_, ANY> {
         let standing = &self.crowd.all[number];
         let template = &self.crowd.templates[standing.template as usize];
         let Some(inner) = Inner::new(standing, self.probe) else { return false };
-        let slabs = Slabs::within(lanes, &inner.probe, inner.off);
         let mut inside = Inside::<ANY> {
+            slabs: Slabs::within(&inner.probe, inner.off),
             number: number as u32,
             standing,
             template,
@@ -157,7 +163,7 @@ impl<L: Lanes, const ANY: bool> Ends<L> for Outside<'_, ANY> {
             probe: self.probe,
             first: &mut self.first,
         };
-        descend::<L, ANY, _>(lanes, &template.nodes, &slabs, &mut inside);
+        descend::<L, ANY, _>(lanes, &template.nodes, &mut inside);
         ANY && self.first.met.is_some()
     }
 }
@@ -233,12 +239,18 @@ struct Inside<'a, const ANY: bool> {
     template: &'a Template,
     inner: Inner,
     limit: f32,
+    slabs: Slabs,
     /// The ray in the world.
     probe: &'a Probe,
     first: &'a mut First,
 }
 
 impl<L: Lanes, const ANY: bool> Ends<L> for Inside<'_, ANY> {
+    #[inline(always)]
+    fn slabs(&self) -> &Slabs {
+        &self.slabs
+    }
+
     #[inline(always)]
     fn limit(&self) -> f32 {
         self.limit

@@ -19,6 +19,13 @@ pub(super) fn sixteen(number: f32) -> u32 {
 /// More than [`sixteen`] of any number.
 pub(super) const NONE_LEFT: u32 = 0xFFFF;
 
+/// Something to do by a processor's instructions; to be inlined.
+pub(super) trait Task<L> {
+    type Answer;
+
+    fn run(self, lanes: L) -> Self::Answer;
+}
+
 /// Arithmetic on [`LANES`] numbers. An implementation is proof that the processor can do it.
 pub(super) trait Lanes: Copy {
     /// The numbers.
@@ -54,6 +61,9 @@ pub(super) trait Lanes: Copy {
     fn first(self, queue: Self::Queue) -> (u32, usize);
     /// Without a lane.
     fn without(self, queue: Self::Queue, lane: usize) -> Self::Queue;
+
+    /// Does something in a function of its own, compiled for these instructions.
+    fn apart<T: Task<Self>>(self, task: T) -> T::Answer;
 
     /// Three numbers of f64 and a zero. Each operation is rounded by itself, the same everywhere.
     type Exact: Copy;
@@ -212,6 +222,11 @@ impl Lanes for Portable {
         queue
     }
 
+    #[inline(never)]
+    fn apart<T: Task<Self>>(self, task: T) -> T::Answer {
+        task.run(self)
+    }
+
     type Exact = DVec3;
 
     #[inline(always)]
@@ -267,7 +282,7 @@ pub(super) use avx2::Avx2;
 mod avx2 {
     use std::arch::x86_64::*;
 
-    use super::{LANES, Lanes};
+    use super::{LANES, Lanes, Task};
 
     /// On x86-64 with AVX2 and FMA.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -304,6 +319,12 @@ mod avx2 {
             // is loaded or stored is an array of the vector's size.
             unsafe { $instruction }
         };
+    }
+
+    #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+    #[inline(never)]
+    fn apart<T: Task<Avx2>>(lanes: Avx2, task: T) -> T::Answer {
+        task.run(lanes)
     }
 
     impl Lanes for Avx2 {
@@ -402,6 +423,11 @@ mod avx2 {
         #[inline(always)]
         fn without(self, queue: __m128i, lane: usize) -> __m128i {
             run!(_mm_or_si128(queue, _mm_loadu_si128(OUT[lane].as_ptr().cast())))
+        }
+
+        #[inline(always)]
+        fn apart<T: Task<Self>>(self, task: T) -> T::Answer {
+            run!(apart(self, task))
         }
 
         type Exact = __m256d;

@@ -15,6 +15,7 @@ mod disk;
 mod instance;
 mod lanes;
 mod node;
+mod pages;
 mod plane;
 mod ray;
 mod rounding;
@@ -137,6 +138,13 @@ impl Geometry {
     /// Planes have no box: each ray asks them all.
     #[inline(always)]
     fn meet_planes(&self, probe: &Probe, best: &mut Best) {
+        if !self.shapes.planes.is_empty() {
+            self.meet_all_planes(probe, best);
+        }
+    }
+
+    #[inline(never)]
+    fn meet_all_planes(&self, probe: &Probe, best: &mut Best) {
         for (index, plane) in self.shapes.planes.iter().enumerate() {
             if let Some(t) = plane::meet(probe, plane) {
                 best.offer(t, Primitive::new(Kind::Plane, index));

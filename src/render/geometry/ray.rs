@@ -129,7 +129,7 @@ pub(super) struct Probe {
     pub inverse: Vec3A,
     /// The last one is that along which the direction is longest, the depth of the triangles' test;
     /// before it the two that follow it.
-    pub axes: [usize; 3],
+    pub axes: [Axis; 3],
     /// The origin along these axes.
     pub turned: [f32; 3],
     /// Slope of the direction along the first two of them, as the depth grows; at most ±1.
@@ -149,25 +149,27 @@ impl Probe {
     pub fn new(ray: &Ray, moderate: bool) -> Option<Self> {
         let (near_origin, near_direction) = (Vec3A::from(ray.origin), Vec3A::from(ray.direction));
         let (place, size) = (near_origin.abs(), near_direction.abs());
-        let z = if size.y > size.x { 1 } else { 0 };
-        let z = if size.z > size.x.max(size.y) { 2 } else { z };
-        let [x, y] = [(z + 1) % 3, (z + 2) % 3];
+        let (z, most) = if size.y > size.x { (Axis::Y, size.y) } else { (Axis::X, size.x) };
+        let (z, most) = if size.z > most { (Axis::Z, size.z) } else { (z, most) };
+        let usual = place.cmplt(Vec3A::splat(MODERATE)) & size.cmplt(Vec3A::INFINITY);
+        let extreme = !(moderate && usual.all());
+        if extreme && !(near_origin.is_finite() && near_direction.is_finite()) || most < LEAST {
+            return None;
+        }
+        let x = NEXT[z as usize];
+        let y = NEXT[x as usize];
         let [o, d] = [near_origin.to_array(), near_direction.to_array()];
         let inverse = inverse(near_direction);
-        let per_depth = inverse.to_array()[z];
+        let per_depth = inverse.to_array()[z as usize];
         Some(Self {
             near_origin,
             near_direction,
             inverse,
             axes: [x, y, z],
-            turned: [o[x], o[y], o[z]],
-            shear: [d[x] * per_depth, d[y] * per_depth],
+            turned: [o[x as usize], o[y as usize], o[z as usize]],
+            shear: [d[x as usize] * per_depth, d[y as usize] * per_depth],
             per_depth,
-            extreme: !(moderate && place.cmplt(Vec3A::splat(MODERATE)).all()),
-        })
-        .filter(|_| {
-            let finite = place.cmplt(Vec3A::INFINITY) & size.cmplt(Vec3A::INFINITY);
-            finite.all() && d[z] != 0.0
+            extreme,
         })
     }
 
@@ -181,6 +183,7 @@ impl Probe {
     #[inline(always)]
     pub fn exact_shear(&self) -> [f64; 2] {
         let [x, y, z] = self.axes;
+        let (x, y, z) = (x as usize, y as usize, z as usize);
         let d = self.near_direction.to_array();
         let depth = f64::from(d[z]);
         [f64::from(d[x]) / depth, f64::from(d[y]) / depth]
@@ -203,11 +206,24 @@ pub(super) struct Surface {
     pub uv: Vec2,
 }
 
-/// 1/d, finite: a coordinate within ±2⁻¹⁰⁰ stands for one of that size, which moves the ray by less
+/// An axis of space. As a number it needs no check where it is used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+/// The axis after each one.
+static NEXT: [Axis; 3] = [Axis::Y, Axis::Z, Axis::X];
+
+/// 2⁻¹⁰⁰: less is no direction, and beside something greater it is as good as nothing.
+const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
+
+/// 1/d, finite: a coordinate within ±[`LEAST`] stands for one of that size, which moves the ray by less
 /// than boxes are padded. −0 goes the same way as +0.
 #[inline(always)]
 fn inverse(direction: Vec3A) -> Vec3A {
-    const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
     let size = direction.abs().max(Vec3A::splat(LEAST));
     let size = Vec3A::select(direction.cmplt(Vec3A::ZERO), -size, size);
     size.recip()

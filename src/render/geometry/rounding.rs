@@ -56,7 +56,8 @@ pub(super) fn near<L: Lanes>(lanes: L, exact: L::Exact, magnitude: L::Exact) -> 
 /// The next f32 above one that is not negative.
 #[inline(always)]
 fn next(x: f32) -> f32 {
-    f32::from_bits(x.min(f32::MAX).to_bits() + 1)
+    let x = if x < f32::MAX { x } else { f32::MAX };
+    f32::from_bits(x.to_bits() + 1)
 }
 
 /// The same of each coordinate, none of them negative.

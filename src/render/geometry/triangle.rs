@@ -23,6 +23,7 @@ impl Face {
     #[inline(always)]
     fn parts<L: Lanes>(&self, lanes: L, probe: &Probe) -> L::Exact {
         let [x, y, z] = probe.axes;
+        let (x, y, z) = (x as usize, y as usize, z as usize);
         let depth = self.across(lanes, probe, z);
         let x = self.across(lanes, probe, x);
         let y = self.across(lanes, probe, y);

@@ -103,7 +103,7 @@ fn compare(scene: &Scene, chance: &mut Chance, rays: usize, size: f64) -> usize 
     assert_eq!(instanced.bounds(), copied.bounds());
     let mut met = 0;
     for number in 0..rays {
-        let target = scene.all[chance.below(scene.all.len())].clone();
+        let target = scene.all[chance.below(scene.all.len())];
         let corner = scene.meshes[target.0].positions[chance.below(40)];
         let target = target.1.vertex(corner).as_dvec3();
         let origin = match number % 3 {
