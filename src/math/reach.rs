@@ -5,8 +5,8 @@ use glam::{DMat3, DVec3};
 use super::{Bounds, Mesh, Transform};
 
 /// Triangles of a piece, and pieces of a group.
-const PIECE: usize = 128;
-const GROUP: usize = 32;
+const PIECE: usize = 32;
+const GROUP: usize = 64;
 
 /// Rounding of a mapped coordinate, as a part of the magnitudes it is made of; with room to spare.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;

@@ -16,6 +16,7 @@ impl Transform {
     }
 
     /// Where a point goes.
+    #[inline]
     pub fn point(self, p: DVec3) -> DVec3 {
         self.0.transform_point3(p)
     }

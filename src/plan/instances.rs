@@ -14,7 +14,7 @@ use crate::load::Stage;
 use crate::math::Mesh;
 use crate::scene::{Named, Object};
 
-/// Triangles that must be saved for a mesh to be kept once: some 30 MB.
+/// Triangles that must be saved for a mesh to be kept once: some 25 MB.
 const WORTH: u64 = 250_000;
 
 /// Objects that are of one mesh, none of which shines.
