@@ -79,7 +79,7 @@ mod tests {
             assert!(known(meant) && !known(word), "{choice}: {word} → {meant}");
         }
         assert!(ELSEWHERE.is_sorted());
-        for kind in KINDS.iter().filter(|kind| !kind.named && kind.default.is_none()) {
+        for kind in KINDS.iter().filter(|kind| !kind.optional && kind.default.is_none()) {
             let usual = usual(kind.word).expect(kind.word);
             assert!(of(&kind.ty).unwrap().all.iter().any(|record| record.word == usual));
         }
