@@ -3,6 +3,7 @@
 //! Nothing is drawn in order, so no thread, pass or tile can change what another one sees.
 
 /// A 64-bit finaliser (SplitMix64 [Steele14]): every input bit reaches every output bit.
+#[inline]
 pub fn mix(input: u64) -> u64 {
     let mut z = input.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -11,17 +12,20 @@ pub fn mix(input: u64) -> u64 {
 }
 
 /// The bits at one more coordinate of a place: `at(at(mix(seed), pixel), sample)` and so on.
+#[inline]
 pub fn at(place: u64, coordinate: u64) -> u64 {
     mix(place ^ mix(coordinate))
 }
 
 /// Two numbers in [0, 1), of 32 bits each: exact in f64, and never 1.
+#[inline]
 pub fn unit_pair(bits: u64) -> [f64; 2] {
     const STEP: f64 = 1.0 / 4_294_967_296.0;
     [(bits >> 32) as f64 * STEP, (bits & 0xffff_ffff) as f64 * STEP]
 }
 
 /// The nearest f32 that is not 1: of a number in [0, 1), which rounding alone would make 1.
+#[inline]
 pub fn unit_f32(unit: f64) -> f32 {
     (unit as f32).min(1.0 - f32::EPSILON / 2.0)
 }

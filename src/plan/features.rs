@@ -23,13 +23,15 @@ pub enum Feature {
     Coordinates,
     /// Surfaces that name media are joined to bodies, to know what is around what.
     Bodies,
+    /// Surfaces of any material, not diffuse ones alone.
+    Materials,
     /// For each path of light, to which layer it belongs, or whether it is shown at all.
     Paths,
 }
 
 impl Feature {
     /// All of them, in the order in which they are told.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Lights,
         Self::ShadowRays,
         Self::LampPoints,
@@ -37,6 +39,7 @@ impl Feature {
         Self::Normals,
         Self::Coordinates,
         Self::Bodies,
+        Self::Materials,
         Self::Paths,
     ];
 
@@ -50,6 +53,7 @@ impl Feature {
             Self::Normals => "normals",
             Self::Coordinates => "coordinates",
             Self::Bodies => "bodies",
+            Self::Materials => "materials",
             Self::Paths => "paths",
         }
     }
@@ -64,6 +68,7 @@ impl Feature {
             Self::Normals => "smooth normals",
             Self::Coordinates => "texture coordinates",
             Self::Bodies => "bodies of matter",
+            Self::Materials => "materials of any kind",
             Self::Paths => "paths told apart",
         }
     }
@@ -124,6 +129,7 @@ impl Plan {
                 Feature::Normals => normals(stage),
                 Feature::Coordinates => asked.coordinates(),
                 Feature::Bodies => asked.bodies(),
+                Feature::Materials => asked.materials(),
                 Feature::Paths => paths(stage, integrator),
             };
             Answer { feature, need, why, at }
@@ -263,6 +269,15 @@ impl Asked<'_> {
         };
         let (material, name) = (&surface.material.name, &surface.object.name);
         let why = format!("`{}` on `{}` reads the texture `{texture}`", **material, **name);
+        (Need::Required, why, Some(name.span))
+    }
+
+    fn materials(&self) -> Reason {
+        let Some(surface) = self.survey.special() else {
+            return (Need::Unneeded, "all surfaces are diffuse".to_string(), None);
+        };
+        let (material, name) = (&surface.material.name, &surface.object.name);
+        let why = format!("`{}` on `{}` is not simply diffuse", **material, **name);
         (Need::Required, why, Some(name.span))
     }
 }

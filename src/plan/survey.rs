@@ -38,6 +38,8 @@ pub(super) struct Surface<'a> {
     pub albedo: f64,
     /// Whether its front shines.
     pub shines: bool,
+    /// Whether it is a part of a mixture.
+    mixed: bool,
 }
 
 impl<'a> Survey<'a> {
@@ -58,13 +60,13 @@ impl<'a> Survey<'a> {
                         .entry(Arc::as_ptr(&mesh.mesh))
                         .or_insert_with(|| in_use(&mesh.mesh.slots, mesh.materials.len()));
                     let used = mesh.materials.iter().zip(&*used).filter(|(_, used)| **used);
-                    let parts = used.flat_map(|(material, _)| scene.parts(material));
-                    surfaces.extend(parts.map(|(_, part)| Surface::new(stage, object, part)));
+                    for (material, _) in used {
+                        surfaces.extend(Surface::all(stage, object, material));
+                    }
                     continue;
                 }
             };
-            let parts = scene.parts(scene.material(material));
-            surfaces.extend(parts.into_iter().map(|(_, part)| Surface::new(stage, object, part)));
+            surfaces.extend(Surface::all(stage, object, scene.material(material)));
         }
         let lights = |wanted: fn(&Light) -> bool| {
             scene.lights.iter().filter(|light| wanted(&light.value)).collect()
@@ -117,6 +119,13 @@ impl<'a> Survey<'a> {
             }
         }
         names
+    }
+
+    /// The first surface that is not simply diffuse.
+    pub fn special(&self) -> Option<&Surface<'a>> {
+        self.surfaces.iter().find(|surface| {
+            surface.mixed || !matches!(surface.material.value.value, Material::Diffuse(_))
+        })
     }
 
     /// The name of something that surfaces are lit by when they ask for light.
@@ -217,6 +226,17 @@ fn is_outside(eye: DVec3, centre: DVec3, radius: f64) -> bool {
 }
 
 impl<'a> Surface<'a> {
+    /// The parts of a material of an object.
+    fn all(
+        stage: &'a Stage,
+        object: &'a Named<Object>,
+        material: &'a Named<Material>,
+    ) -> impl Iterator<Item = Self> {
+        let mixed = matches!(material.value.value, Material::Mix(_));
+        let parts = stage.scene.parts(material).into_iter();
+        parts.map(move |(_, part)| Self { mixed, ..Self::new(stage, object, part) })
+    }
+
     fn new(stage: &Stage, object: &'a Named<Object>, material: &'a Named<Material>) -> Self {
         let scatters = material.value.scatters();
         let albedo = material.value.reflectance().filter(|_| scatters);
@@ -226,6 +246,7 @@ impl<'a> Surface<'a> {
             material,
             albedo: albedo.into_iter().fold(0.0, f64::max),
             shines: material.value.emission().is_some_and(|emission| is_lit(&emission.0)),
+            mixed: false,
         }
     }
 }

@@ -28,6 +28,7 @@ use crate::math::{NoProgress, Progress};
 use crate::plan::{Feature, Plan};
 use crate::render::geometry::Geometry;
 use crate::render::integrators::Integrator;
+use crate::render::materials::Makeup;
 use crate::render::media::Medium;
 use crate::render::samplers::Rhythm;
 use crate::render::{World, film::Film};
@@ -301,6 +302,10 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
             media: parts.media,
             overlaps: parts.materials.overlaps,
             camera_medium: parts.camera_medium,
+            makeup: match plan.builds(Feature::Materials) {
+                true => Makeup::Any,
+                false => Makeup::Diffuse,
+            },
             lights,
             camera: parts.camera,
             film: parts.film,

@@ -200,6 +200,7 @@ mod tests {
     use crate::render::film::{Film, Filter, Window};
     use crate::render::geometry::{Geometry, Shapes};
     use crate::render::lights::Lights;
+    use crate::render::materials::Makeup;
     use crate::render::samplers::Sampler;
     use glam::DVec3;
 
@@ -212,6 +213,7 @@ mod tests {
             media: Vec::new(),
             overlaps: None,
             camera_medium: 0,
+            makeup: Makeup::Any,
             lights: Lights::default(),
             camera: Camera::Perspective(eye),
             film: Film {

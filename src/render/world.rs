@@ -4,7 +4,7 @@ use super::cameras::Camera;
 use super::film::Film;
 use super::geometry::Geometry;
 use super::lights::Lights;
-use super::materials::Material;
+use super::materials::{Makeup, Material};
 use super::media::Medium;
 use super::overlaps::Overlaps;
 use super::samplers::Sampler;
@@ -17,6 +17,8 @@ pub struct World {
     pub geometry: Geometry,
     /// What surfaces do with light; hits name them by number.
     pub materials: Vec<Material>,
+    /// Which of them there are.
+    pub makeup: Makeup,
     /// What fills space; the sides of materials name them by number. The first surrounds everything.
     pub media: Vec<Medium>,
     /// Bodies of which one ends where another begins, if there are any.

@@ -42,7 +42,7 @@ impl Point {
 
     /// The origin of a ray that leaves along `direction` (any length): the point itself, moved
     /// along ±`ng` to where it is certainly on the side the ray goes to [Pharr23, ch. 6.8].
-    #[inline]
+    #[inline(always)]
     pub fn leave(&self, direction: Vec3) -> Vec3 {
         let (ng, position) = (Vec3A::from(self.ng), Vec3A::from(self.position));
         let distance = ng.abs().dot(self.error.into());
@@ -104,7 +104,7 @@ impl Hit {
 ///
 /// The far end is kept off further by what rounding the direction and the length can move it:
 /// γ₃₂(4) of the way, per coordinate. Two points at the same place give a ray of no length.
-#[inline]
+#[inline(always)]
 pub fn between(from: &Point, to: &Point) -> Ray {
     let origin = from.leave(to.position - from.position);
     let start = origin.as_dvec3();

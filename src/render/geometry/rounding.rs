@@ -36,7 +36,7 @@ pub(super) const fn gamma_32(n: u32) -> f64 {
 
 /// A position rounded to f32 and the bound of its error per coordinate. `magnitude`: the sum of
 /// the magnitudes it was made of, per coordinate.
-#[inline]
+#[inline(always)]
 pub(super) fn position(exact: DVec3, magnitude: DVec3) -> (Vec3, Vec3) {
     let error = exact.abs() * UNIT_32 + magnitude * (STEPS * UNIT_64);
     (exact.as_vec3(), above(error))
@@ -61,7 +61,7 @@ fn next(x: f32) -> f32 {
 }
 
 /// The same of each coordinate, none of them negative.
-#[inline]
+#[inline(always)]
 pub(super) fn above(x: DVec3) -> Vec3 {
     let x = x.as_vec3();
     Vec3::new(next(x.x), next(x.y), next(x.z))

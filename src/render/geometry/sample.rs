@@ -49,7 +49,7 @@ impl Facet {
     }
 
     /// A point of it that was computed in f64 from its form.
-    #[inline]
+    #[inline(always)]
     pub fn point(&self, exact: DVec3) -> Point {
         let (position, error) = rounding::position(exact, self.magnitude);
         Point { position, error, ng: self.ng }

@@ -6,7 +6,7 @@ use crate::math::paths::{Automaton, End, Event};
 use crate::render::World;
 use crate::render::geometry::{Hit, Ray};
 use crate::render::lights::Site;
-use crate::render::materials::{Bsdf, Scattered};
+use crate::render::materials::Scattered;
 use crate::render::overlaps::Overlaps;
 use crate::render::tiles::Counts;
 
@@ -97,6 +97,7 @@ impl<'w> Carrier<'w> {
     }
 
     /// Begins a sample.
+    #[inline]
     pub fn start(&mut self) -> Trail {
         self.radiance = Rgb::BLACK;
         self.layers.fill(Rgb::BLACK);
@@ -110,6 +111,7 @@ impl<'w> Carrier<'w> {
     }
 
     /// A path goes on by one more event, where it has hit a surface.
+    #[inline]
     pub fn after(&mut self, trail: Trail, event: Event, hit: &Hit) -> Trail {
         let state = self.paths.map_or(trail.state, |paths| paths.after(trail.state, event));
         let last = match &mut self.traced {
@@ -119,35 +121,49 @@ impl<'w> Carrier<'w> {
         Trail { state, last }
     }
 
-    /// A ray goes on behind an event, and is followed later; not if nothing is shown of its path,
-    /// however it goes on.
-    pub(super) fn follow(&mut self, mut branch: Branch, event: Event, hit: &Hit) {
+    /// A branch goes on behind an event. Whether it is to be followed: not if nothing is shown of
+    /// its path, however it goes on.
+    #[inline]
+    pub(super) fn behind(&mut self, branch: &mut Branch, event: Event, hit: &Hit) -> bool {
         self.followed += 1;
-        if self.followed.is_multiple_of(PATIENCE)
-            && self.give_up.is_some_and(|give_up| give_up(self.followed))
-        {
-            self.given_up = true;
-            self.waiting.clear();
-            // The next one is not followed either.
-            self.followed -= 1;
-            return;
+        if self.followed.is_multiple_of(PATIENCE) && self.gives_up() {
+            return false;
         }
         if let (Some(overlaps), Event::SpecularTransmission) = (self.overlaps, event) {
             branch.inside = overlaps.beyond(branch.inside, hit, branch.ray.direction);
         }
-        let trail = self.after(branch.trail, event, hit);
-        if !self.paths.is_some_and(|paths| paths.is_dead(trail.state)) {
-            self.waiting.push(Branch { trail, ..branch });
+        branch.trail = self.after(branch.trail, event, hit);
+        !self.paths.is_some_and(|paths| paths.is_dead(branch.trail.state))
+    }
+
+    #[cold]
+    fn gives_up(&mut self) -> bool {
+        if !self.give_up.is_some_and(|give_up| give_up(self.followed)) {
+            return false;
+        }
+        self.given_up = true;
+        self.waiting.clear();
+        // The next one is not followed either.
+        self.followed -= 1;
+        true
+    }
+
+    /// The same, and it is followed later.
+    pub(super) fn follow(&mut self, mut branch: Branch, event: Event, hit: &Hit) {
+        if self.behind(&mut branch, event, hit) {
+            self.waiting.push(branch);
         }
     }
 
     /// Whether nothing is shown of a path that comes to a light now.
+    #[inline]
     pub fn is_hidden(&self, trail: Trail) -> bool {
         self.paths.is_some_and(|paths| paths.end(trail.state) == End::Outside)
     }
 
     /// A path has come to a light, and brings this radiance.
-    pub fn add(&mut self, trail: Trail, radiance: Rgb, source: Source) {
+    #[inline]
+    pub fn add(&mut self, trail: Trail, radiance: Rgb, source: impl FnOnce() -> Source) {
         if let Some(paths) = self.paths {
             match paths.end(trail.state) {
                 End::Outside => return,
@@ -161,7 +177,7 @@ impl<'w> Carrier<'w> {
             }
         }
         if let Some(traced) = &mut self.traced {
-            traced.add(trail.last, radiance, source);
+            traced.add(trail.last, radiance, source());
         }
         self.radiance += radiance;
     }
@@ -186,6 +202,7 @@ impl Branch {
     }
 
     /// The first surface that the ray meets.
+    #[inline]
     pub fn meet(&mut self, world: &World) -> Option<Hit> {
         let hit = world.geometry.closest(&self.ray)?;
         let Some(overlaps) = &world.overlaps else { return Some(hit) };
@@ -195,29 +212,28 @@ impl Branch {
         Some(hit)
     }
 
-    /// The ray that goes on in one direction alone; its trail is still that before the surface.
-    pub fn mirrored(&self, hit: &Hit, way: &Scattered) -> Self {
-        Self {
-            ray: hit.ray(way.wi),
-            throughput: self.throughput * way.weight * way.squeeze,
-            squeeze: self.squeeze * way.squeeze,
-            pdf_w: 0.0,
-            mirrored: self.mirrored + 1,
-            ..*self
+    /// Becomes a ray that goes on from a surface, one of `rays`; its trail is still that before the
+    /// surface.
+    #[inline]
+    pub fn turn(&mut self, site: &Site, way: &Scattered, rays: u32) {
+        self.ray = Ray::new(site.point.leave(way.wi), way.wi);
+        self.throughput = self.throughput * way.weight * way.squeeze;
+        self.squeeze *= way.squeeze;
+        if way.pdf_w == 0.0 {
+            // In one direction alone.
+            self.pdf_w = 0.0;
+            self.mirrored += 1;
+        } else {
+            self.site = *site;
+            self.pdf_w = rays as f32 * way.pdf_w;
+            self.scattered += 1;
         }
     }
 
-    /// One of `rays` that go on in a direction among many; its trail is still that before the
-    /// surface.
-    pub fn scattered(&self, hit: &Hit, (bsdf, way): (&Bsdf, &Scattered), rays: u32) -> Self {
-        Self {
-            ray: hit.ray(way.wi),
-            throughput: self.throughput * way.weight * way.squeeze,
-            squeeze: self.squeeze * way.squeeze,
-            site: Site::new(hit, bsdf),
-            pdf_w: rays as f32 * way.pdf_w,
-            scattered: self.scattered + 1,
-            ..*self
-        }
+    /// The same as a ray of its own.
+    pub fn turned(&self, site: &Site, way: &Scattered, rays: u32) -> Self {
+        let mut turned = *self;
+        turned.turn(site, way, rays);
+        turned
     }
 }

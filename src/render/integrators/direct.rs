@@ -9,7 +9,7 @@ use super::{Ray, Source, Stream, World};
 use crate::math::Rgb;
 use crate::render::geometry::Hit;
 use crate::render::lights::Site;
-use crate::render::materials::{Bsdf, Part};
+use crate::render::materials::{Matter, Part, Scatter};
 
 /// The direct integrator.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,14 +37,20 @@ pub struct Ambient {
 
 impl Direct {
     /// Radiance along the ray.
-    pub fn radiance(&self, world: &World, ray: &Ray, stream: &mut Stream, carrier: &mut Carrier) {
+    pub fn radiance<M: Matter>(
+        &self,
+        world: &World,
+        ray: &Ray,
+        stream: &mut Stream,
+        carrier: &mut Carrier,
+    ) {
         let trail = carrier.start();
         carrier.waiting.push(Branch::first(world, ray, trail));
         while let Some(mut branch) = carrier.waiting.pop() {
             let Some(hit) = branch.meet(world) else {
                 let direction = branch.ray.direction;
                 let seen = branch.throughput * world.lights.seen(direction);
-                carrier.add(branch.trail, seen, Source::Direction(direction));
+                carrier.add(branch.trail, seen, || Source::Direction(direction));
                 continue;
             };
             if branch.mirrored == 0 {
@@ -52,18 +58,20 @@ impl Direct {
             }
             let material = &world.materials[hit.material as usize];
             let emission = material.emission(&hit, -branch.ray.direction);
-            carrier.add(branch.trail, branch.throughput * emission, Source::Point(hit.position));
+            let light = branch.throughput * emission;
+            carrier.add(branch.trail, light, || Source::Point(hit.position));
 
-            let bsdf = material.at(&hit, -branch.ray.direction);
+            let bsdf = M::at(material, &hit, -branch.ray.direction);
+            let site = Site::new(&hit, &bsdf);
             if let Some(event) = bsdf.scatters() {
                 let trail = carrier.after(branch.trail, event, &hit);
                 if !carrier.is_hidden(trail) {
                     let on = (trail, branch.throughput);
-                    self.scattered(world, &hit, &bsdf, stream, on, carrier);
+                    self.scattered(world, (&site, &bsdf), stream, on, carrier);
                 }
             }
             if branch.mirrored < self.specular_depth {
-                self.go_on(&branch, &hit, &bsdf, stream, carrier);
+                self.go_on(&branch, &hit, (&site, &bsdf), stream, carrier);
             }
         }
     }
@@ -73,27 +81,26 @@ impl Direct {
     fn scattered(
         &self,
         world: &World,
-        hit: &Hit,
-        bsdf: &Bsdf,
+        (site, bsdf): (&Site, &impl Scatter),
         stream: &mut Stream,
         (trail, throughput): (Trail, Rgb),
         carrier: &mut Carrier,
     ) {
         if let Some(lighting) = &self.lighting {
-            let site = Site::new(hit, bsdf);
             let on = (trail, throughput);
-            lighting.ask(world, (&site, bsdf), stream, on, carrier, |_, _| 1.0);
+            lighting.ask(world, (site, bsdf), stream, on, carrier, |_, _| 1.0);
         }
         if let Some(ambient) = &self.ambient {
             let fan = stream.fan(ambient.rays);
             for nth in 0..ambient.rays {
                 let Some(way) = bsdf.sample(Part::Scattering, fan.four(nth)) else { continue };
-                let ray = Ray { t_max: ambient.distance, ..hit.ray(way.wi) };
+                let ray =
+                    Ray { t_max: ambient.distance, ..Ray::new(site.point.leave(way.wi), way.wi) };
                 let light = way.weight * world.lights.ambient(way.wi);
                 carrier.counts.shadow_rays += 1;
                 if !light.is_black() && !world.geometry.occluded(&ray) {
                     let light = throughput * light / ambient.rays as f32;
-                    carrier.add(trail, light, Source::Direction(way.wi));
+                    carrier.add(trail, light, || Source::Direction(way.wi));
                 }
             }
         }
@@ -104,13 +111,13 @@ impl Direct {
         &self,
         branch: &Branch,
         hit: &Hit,
-        bsdf: &Bsdf,
+        (site, bsdf): (&Site, &impl Scatter),
         stream: &mut Stream,
         carrier: &mut Carrier,
     ) {
         if branch.mirrored < self.splits {
             for way in bsdf.specular().into_iter().flatten() {
-                carrier.follow(branch.mirrored(hit, &way), way.event, hit);
+                carrier.follow(branch.turned(site, &way, 1), way.event, hit);
             }
             return;
         }
@@ -125,6 +132,6 @@ impl Direct {
             return;
         }
         way.weight = way.weight / survival;
-        carrier.follow(branch.mirrored(hit, &way), way.event, hit);
+        carrier.follow(branch.turned(site, &way, 1), way.event, hit);
     }
 }

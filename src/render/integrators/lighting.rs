@@ -4,7 +4,7 @@ use super::carrier::{Carrier, Trail};
 use super::{Source, Stream, World};
 use crate::math::Rgb;
 use crate::render::lights::{Arrival, Light, Site};
-use crate::render::materials::Bsdf;
+use crate::render::materials::Scatter;
 
 /// How lights are asked at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,21 +32,23 @@ pub enum AreaLights {
 
 impl Lighting {
     /// Brings home what the surface scatters to the viewer of what all lights send, on a path that
-    /// has scattered there, times the throughput so far. `weigh` is told the density of each direction, times the samples that are taken by it (0
-    /// where no other way could find it), and answers with the part that counts.
+    /// has scattered there, times the throughput so far. `weigh` is told the density of each
+    /// direction, times the samples that are taken by it (0 where no other way could find it), and
+    /// answers with the part that counts.
+    #[inline]
     pub fn ask(
         &self,
         world: &World,
-        (site, bsdf): (&Site, &Bsdf),
+        (site, bsdf): (&Site, &impl Scatter),
         stream: &mut Stream,
         (trail, throughput): (Trail, Rgb),
         carrier: &mut Carrier,
         weigh: impl Fn(&Arrival, f32) -> f32,
     ) {
-        let mut ask = |light: &Light, taken: f32, u: [f64; 2]| {
+        let mut ask = |light: &Light, taken: f32, [u, v, ..]: [f64; 4]| {
             let arrival = match self.area_lights {
-                AreaLights::Center => light.at_centre(&world.geometry, site, u),
-                AreaLights::Random => light.sample(&world.geometry, site, u),
+                AreaLights::Center => light.at_centre(&world.geometry, site, [u, v]),
+                AreaLights::Random => light.sample(&world.geometry, site, [u, v]),
             };
             let Some(arrival) = arrival else { return };
             let scattered = bsdf.scattered(arrival.wi) * arrival.irradiance;
@@ -64,34 +66,51 @@ impl Lighting {
                 }
             }
             let part = weigh(&arrival, taken * arrival.pdf_w) / taken;
-            carrier.add(trail, throughput * scattered * part, Source::of(&arrival.shadow));
+            let light = throughput * scattered * part;
+            carrier.add(trail, light, || Source::of(&arrival.shadow));
         };
-        // Every light takes its numbers, whether they are needed or not, so that the numbers of
-        // the next do not depend on where the ray went.
-        match self.chosen {
-            None => {
-                for light in &world.lights.all {
-                    let fan = stream.fan(self.points);
-                    for nth in 0..self.points {
-                        let [u, v, ..] = if self.numbers { fan.four(nth) } else { [0.0; 4] };
-                        ask(light, self.points as f32, [u, v]);
-                    }
+        // One point of one light: the common case, without loops.
+        if (self.chosen, self.points) == (Some(1), 1) {
+            let u = stream.four();
+            if let Some((number, pmf)) = world.lights.choose(site, u[2]) {
+                ask(&world.lights.all[number], pmf, u);
+            }
+            return;
+        }
+        self.each(world, site, stream, &mut ask);
+    }
+
+    /// Asks for every point of every light, or of those that are chosen.
+    ///
+    /// Every light takes its numbers, whether they are needed or not, so that the numbers of the
+    /// next do not depend on where the ray went.
+    #[inline(never)]
+    fn each(
+        &self,
+        world: &World,
+        site: &Site,
+        stream: &mut Stream,
+        ask: &mut impl FnMut(&Light, f32, [f64; 4]),
+    ) {
+        let lights = &world.lights.all;
+        let Some(chosen) = self.chosen else {
+            for light in lights {
+                let fan = stream.fan(self.points);
+                for nth in 0..self.points {
+                    let u = if self.numbers { fan.four(nth) } else { [0.0; 4] };
+                    ask(light, self.points as f32, u);
                 }
             }
-            Some(chosen) => {
-                let fan = stream.fan(chosen * self.points);
-                for choice in 0..chosen {
-                    let [u, v, c, _] = fan.four(choice * self.points);
-                    let c = (f64::from(choice) + c) / f64::from(chosen);
-                    let Some((number, pmf)) = world.lights.choose(site, c) else { continue };
-                    let light = &world.lights.all[number];
-                    let taken = self.taken(pmf);
-                    ask(light, taken, [u, v]);
-                    for nth in 1..self.points {
-                        let [u, v, ..] = fan.four(choice * self.points + nth);
-                        ask(light, taken, [u, v]);
-                    }
-                }
+            return;
+        };
+        let fan = stream.fan(chosen * self.points);
+        for choice in 0..chosen {
+            let first = fan.four(choice * self.points);
+            let u = (f64::from(choice) + first[2]) / f64::from(chosen);
+            let Some((number, pmf)) = world.lights.choose(site, u) else { continue };
+            for nth in 0..self.points {
+                let u = if nth == 0 { first } else { fan.four(choice * self.points + nth) };
+                ask(&lights[number], self.taken(pmf), u);
             }
         }
     }
@@ -104,6 +123,7 @@ impl Lighting {
     }
 
     /// How many samples a light gets on average.
+    #[inline]
     fn taken(&self, pmf: f32) -> f32 {
         match self.chosen {
             None => self.points as f32,

@@ -22,6 +22,7 @@ use traced::Tracing;
 use super::World;
 use super::film::Begun;
 use super::geometry::Ray;
+use super::materials::{Any, Makeup, Matter, OnlyDiffuse};
 use super::samplers::Stream;
 use super::tiles::{self, Counts, Job};
 
@@ -38,14 +39,21 @@ pub enum Integrator {
 
 impl Integrator {
     /// One pass over the picture; see [`tiles::pass`]. The choice is made here, once a pass, so
-    /// that each integrator has a tile loop compiled for it.
+    /// that each integrator has a tile loop compiled for it, and for what surfaces there are.
     pub fn pass(&self, world: &World, job: &Job) -> Vec<Option<Begun>> {
+        match world.makeup {
+            Makeup::Any => self.pass_among::<Any>(world, job),
+            Makeup::Diffuse => self.pass_among::<OnlyDiffuse>(world, job),
+        }
+    }
+
+    fn pass_among<M: Matter>(&self, world: &World, job: &Job) -> Vec<Option<Begun>> {
         match self {
             Self::Direct(direct) => tiles::pass(world, job, |ray, stream, carrier| {
-                direct.radiance(world, ray, stream, carrier)
+                direct.radiance::<M>(world, ray, stream, carrier)
             }),
             Self::Path(path) => tiles::pass(world, job, |ray, stream, carrier| {
-                path.radiance(world, ray, stream, carrier)
+                path.radiance::<M>(world, ray, stream, carrier)
             }),
             Self::Preview(preview) => tiles::pass(world, job, |ray, _: &mut Stream, carrier| {
                 preview.radiance(world, ray, carrier)
@@ -73,8 +81,8 @@ impl Integrator {
             sample,
             &mut carrier,
             &|ray, stream, carrier| match self {
-                Self::Direct(direct) => direct.radiance(world, ray, stream, carrier),
-                Self::Path(path) => path.radiance(world, ray, stream, carrier),
+                Self::Direct(direct) => direct.radiance::<Any>(world, ray, stream, carrier),
+                Self::Path(path) => path.radiance::<Any>(world, ray, stream, carrier),
                 Self::Preview(preview) => preview.radiance(world, ray, carrier),
             },
         );

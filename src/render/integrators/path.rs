@@ -7,7 +7,7 @@ use super::roulette::Roulette;
 use super::{Ray, Source, Stream, World};
 use crate::render::geometry::Hit;
 use crate::render::lights::Site;
-use crate::render::materials::{Bsdf, Part};
+use crate::render::materials::{Matter, Part, Scatter};
 
 /// The path tracer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +40,7 @@ pub struct Splits {
 
 /// The power heuristic, with the square [Veach95]: the part of one way to find light that is
 /// found with density `a`, and by another way with density `b`.
+#[inline]
 fn power(a: f32, b: f32) -> f32 {
     // By the ratio: squares of large densities have no place in f32.
     if a > b { 1.0 / (1.0 + (b / a).powi(2)) } else { (a / b).powi(2) / (1.0 + (a / b).powi(2)) }
@@ -47,46 +48,85 @@ fn power(a: f32, b: f32) -> f32 {
 
 impl Path {
     /// Radiance along the ray.
-    pub fn radiance(&self, world: &World, ray: &Ray, stream: &mut Stream, carrier: &mut Carrier) {
+    pub fn radiance<M: Matter>(
+        &self,
+        world: &World,
+        ray: &Ray,
+        stream: &mut Stream,
+        carrier: &mut Carrier,
+    ) {
         let trail = carrier.start();
-        carrier.waiting.push(Branch::first(world, ray, trail));
-        while let Some(mut branch) = carrier.waiting.pop() {
-            let Some(hit) = branch.meet(world) else {
-                self.escaped(world, &branch, carrier);
-                continue;
-            };
-            let surfaces = branch.scattered + branch.mirrored;
-            if surfaces == 0 {
-                carrier.object = Some(hit.object);
+        let mut branch = Branch::first(world, ray, trail);
+        loop {
+            while self.step::<M>(world, &mut branch, stream, carrier) {}
+            match carrier.waiting.pop() {
+                Some(next) => branch = next,
+                None => return,
             }
-            let material = &world.materials[hit.material as usize];
-            let emission = material.emission(&hit, -branch.ray.direction);
-            if !emission.is_black() {
-                let weight = self.weight_of_met(world, &branch, &hit);
-                let light = branch.throughput * emission * weight;
-                carrier.add(branch.trail, light, Source::Point(hit.position));
-            }
-            if surfaces >= self.depth {
-                continue;
-            }
-            let bsdf = material.at(&hit, -branch.ray.direction);
-            let split = self.split(&branch, &bsdf);
-            if let (Some(lighting), Some(event)) = (&self.lighting, bsdf.scatters()) {
-                let trail = carrier.after(branch.trail, event, &hit);
-                if !carrier.is_hidden(trail) {
-                    let site = Site::new(&hit, &bsdf);
-                    let on = (trail, branch.throughput);
-                    lighting.ask(world, (&site, &bsdf), stream, on, carrier, |light, taken| {
-                        // No other way finds it, or none is to count.
-                        if taken == 0.0 || !self.mis {
-                            return 1.0;
-                        }
-                        power(taken, split.rays as f32 * bsdf.pdf_w(split.part, light.wi))
-                    });
-                }
-            }
-            self.go_on(&branch, &hit, (&bsdf, split), stream, carrier);
         }
+    }
+
+    /// Follows a ray to a surface, or out, and brings home what it meets there. Whether it goes on,
+    /// as the branch then is. Where several rays go on from the surface, they wait.
+    #[inline(always)]
+    fn step<M: Matter>(
+        &self,
+        world: &World,
+        branch: &mut Branch,
+        stream: &mut Stream,
+        carrier: &mut Carrier,
+    ) -> bool {
+        let Some(hit) = branch.meet(world) else {
+            self.escaped(world, branch, carrier);
+            return false;
+        };
+        let surfaces = branch.scattered + branch.mirrored;
+        if surfaces == 0 {
+            carrier.object = Some(hit.object);
+        }
+        let material = &world.materials[hit.material as usize];
+        let emission = material.emission(&hit, -branch.ray.direction);
+        if !emission.is_black() {
+            let weight = self.weight_of_met(world, branch, &hit);
+            let light = branch.throughput * emission * weight;
+            carrier.add(branch.trail, light, || Source::Point(hit.position));
+        }
+        if surfaces >= self.depth {
+            return false;
+        }
+        let bsdf = M::at(material, &hit, -branch.ray.direction);
+        let site = Site::new(&hit, &bsdf);
+        let split = self.split(branch, &bsdf);
+        if let (Some(lighting), Some(event)) = (&self.lighting, bsdf.scatters()) {
+            let trail = carrier.after(branch.trail, event, &hit);
+            if !carrier.is_hidden(trail) {
+                let on = (trail, branch.throughput);
+                lighting.ask(world, (&site, &bsdf), stream, on, carrier, |light, taken| {
+                    // No other way finds it, or none is to count.
+                    if taken == 0.0 || !self.mis {
+                        return 1.0;
+                    }
+                    power(taken, split.rays as f32 * bsdf.pdf_w(split.part, light.wi))
+                });
+            }
+        }
+        if split.specular || split.diffuse {
+            self.split_on(branch, &hit, (&site, &bsdf, split), stream, carrier);
+            return false;
+        }
+        let u = stream.four();
+        let Some(mut way) = bsdf.sample(Part::All, u) else { return false };
+        if surfaces >= self.roulette_after {
+            let throughput = branch.throughput * way.weight / branch.squeeze;
+            let survival = self.roulette.survival(way.weight, throughput, surfaces);
+            // The last of the four decides nothing else.
+            if u[3] >= f64::from(survival) {
+                return false;
+            }
+            way.weight = way.weight / survival;
+        }
+        branch.turn(&site, &way, 1);
+        carrier.behind(branch, way.event, &hit)
     }
 
     /// What a ray brings that meets nothing.
@@ -100,7 +140,7 @@ impl Path {
             let weight =
                 self.weight(world, branch, asked, |site| light.pdf_w(site, branch.ray.direction));
             let light = branch.throughput * radiance * weight;
-            carrier.add(branch.trail, light, Source::Direction(branch.ray.direction));
+            carrier.add(branch.trail, light, || Source::Direction(branch.ray.direction));
         }
     }
 
@@ -133,7 +173,8 @@ impl Path {
     }
 
     /// How many rays go on from a surface, and by which part of what it does.
-    fn split(&self, branch: &Branch, bsdf: &Bsdf) -> Split {
+    #[inline]
+    fn split(&self, branch: &Branch, bsdf: &impl Scatter) -> Split {
         let specular = bsdf.is_specular() && branch.specular_splits < self.splits.specular;
         let part = if specular { Part::Scattering } else { Part::All };
         let diffuse = bsdf.scatters().is_some() && branch.diffuse_splits < self.splits.diffuse;
@@ -141,12 +182,13 @@ impl Path {
         Split { specular, diffuse, part, rays }
     }
 
-    /// Sends rays on.
-    fn go_on(
+    /// Sends several rays on, none of which is ended by chance.
+    #[inline(never)]
+    fn split_on(
         &self,
         branch: &Branch,
         hit: &Hit,
-        (bsdf, split): (&Bsdf, Split),
+        (site, bsdf, split): (&Site, &impl Scatter, Split),
         stream: &mut Stream,
         carrier: &mut Carrier,
     ) {
@@ -158,32 +200,17 @@ impl Path {
         };
         if split.specular {
             for way in bsdf.specular().into_iter().flatten() {
-                carrier.follow(branch.mirrored(hit, &way), way.event, hit);
+                carrier.follow(branch.turned(site, &way, 1), way.event, hit);
             }
             if bsdf.scatters().is_none() {
                 return;
             }
         }
-        let surfaces = branch.scattered + branch.mirrored;
         let fan = stream.fan(split.rays);
         for nth in 0..split.rays {
-            let u = fan.four(nth);
-            let Some(mut way) = bsdf.sample(split.part, u) else { continue };
+            let Some(mut way) = bsdf.sample(split.part, fan.four(nth)) else { continue };
             way.weight = way.weight / split.rays as f32;
-            if !split.diffuse && !split.specular && surfaces >= self.roulette_after {
-                let throughput = branch.throughput * way.weight / branch.squeeze;
-                let survival = self.roulette.survival(way.weight, throughput, surfaces);
-                // The last of the four decides nothing else.
-                if u[3] >= f64::from(survival) {
-                    continue;
-                }
-                way.weight = way.weight / survival;
-            }
-            let next = match way.pdf_w {
-                0.0 => branch.mirrored(hit, &way),
-                _ => branch.scattered(hit, (bsdf, &way), split.rays),
-            };
-            carrier.follow(next, way.event, hit);
+            carrier.follow(branch.turned(site, &way, split.rays), way.event, hit);
         }
     }
 }

@@ -24,6 +24,7 @@ pub enum Roulette {
 const LONG: u32 = 256;
 
 /// The largest chance to go on after so many surfaces.
+#[inline]
 fn most(surfaces: u32) -> f32 {
     if surfaces < LONG {
         return 1.0;
@@ -35,6 +36,7 @@ fn most(surfaces: u32) -> f32 {
 impl Roulette {
     /// The chance that a path goes on after `surfaces`. `reflectance` is what the last of them gave
     /// back, over the density of the direction; `throughput` what the path then has.
+    #[inline]
     pub fn survival(self, reflectance: Rgb, throughput: Rgb, surfaces: u32) -> f32 {
         let chance = match self {
             Self::Off => return 1.0,

@@ -71,6 +71,7 @@ impl Lamp {
     }
 
     /// Light from a point of one of its surfaces.
+    #[inline(always)]
     pub(super) fn sample(&self, geometry: &Geometry, site: &Site, u: [f64; 2]) -> Option<Arrival> {
         let chosen = match &self.crowd {
             None => Chosen { number: 0, pmf: 1.0, u: u[0] },

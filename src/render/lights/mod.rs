@@ -36,7 +36,7 @@ use choice::Choice;
 use crowd::Emitter;
 
 use super::geometry::{Geometry, Hit, Point, Ray, between};
-use super::materials::Bsdf;
+use super::materials::Scatter;
 use crate::math::Rgb;
 
 /// Everything that shines.
@@ -93,7 +93,8 @@ pub struct Arrival {
 
 impl Site {
     /// Where a surface is met.
-    pub fn new(hit: &Hit, bsdf: &Bsdf) -> Self {
+    #[inline]
+    pub fn new(hit: &Hit, bsdf: &impl Scatter) -> Self {
         Self { point: hit.point(), normal: bsdf.side() }
     }
 
@@ -105,6 +106,7 @@ impl Site {
 
 impl Light {
     /// Light from one point of it, chosen by `u` in [0, 1)².
+    #[inline(always)]
     pub fn sample(&self, geometry: &Geometry, site: &Site, u: [f64; 2]) -> Option<Arrival> {
         match self {
             Self::Directional(directional) => Some(directional.arrive(&site.point)),
@@ -158,6 +160,7 @@ impl Lights {
 
     /// A light chosen by importance for a site, and the probability of that. `u` in [0, 1). None:
     /// no light gives the site any.
+    #[inline]
     pub fn choose(&self, site: &Site, u: f64) -> Option<(usize, f32)> {
         let (number, pmf) = match self.all.len() {
             0 | 1 => (self.all.len().checked_sub(1)?, 1.0),
@@ -168,11 +171,13 @@ impl Lights {
     }
 
     /// The probability with which [`Lights::choose`] gives this light.
+    #[inline]
     pub fn pmf(&self, site: &Site, light: usize) -> f32 {
         if self.all.len() == 1 { 1.0 } else { self.choice.pmf(site, light) as f32 }
     }
 
     /// The light that surfaces of a material are.
+    #[inline]
     pub fn of_material(&self, material: u32) -> Option<usize> {
         let number = *self.of_materials.get(material as usize)?;
         (number != Self::NONE).then_some(number as usize)

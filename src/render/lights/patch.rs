@@ -97,6 +97,7 @@ impl Patch {
     }
 
     /// A point of it that the site sees. Its front alone is seen, if not `both`.
+    #[inline(always)]
     pub fn sample(
         &self,
         geometry: &Geometry,

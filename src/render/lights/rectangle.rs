@@ -22,6 +22,7 @@ pub(super) struct SolidRectangle {
 impl SolidRectangle {
     /// From x to x and from y to y, for a site at the origin, so high above its plane (or, if
     /// negative, below it), and not in it.
+    #[inline(always)]
     pub fn new(x: [f64; 2], y: [f64; 2], height: f64) -> Self {
         let h = height.abs();
         // The sum of ±atan(xy / (h √(x² + y² + h²))) over the corners: the angle of the product of
@@ -44,30 +45,39 @@ impl SolidRectangle {
     }
 
     /// A point of it, x and y, uniform in solid angle.
+    ///
+    /// Written without `map` and closures over arrays: where they are not inlined they cost more
+    /// than what they do.
+    #[inline(always)]
     pub fn sample(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+        let h_2 = self.height * self.height;
         // Sines of the angles between the frame's z and the planes through the origin and an edge:
         // z of their normals.
-        let sine = |x: f64| x / (x * x + self.height * self.height).sqrt();
-        let (x0, [y0, y1]) = (sine(self.x[0]), self.y.map(sine));
+        let sine = |x: f64| x / (x * x + h_2).sqrt();
+        let (x0, y0, y1) = (sine(self.x[0]), sine(self.y[0]), sine(self.y[1]));
         // Cosines and sines of the angles of the spherical rectangle at two of its corners.
         let (c2, c3) = (x0 * y1, -x0 * y0);
-        let [s2, s3] = [c2, c3].map(|c| (1.0 - c * c).max(0.0).sqrt());
+        let (s2, s3) = ((1.0 - c2 * c2).max(0.0).sqrt(), (1.0 - c3 * c3).max(0.0).sqrt());
         // What both lack of a full turn, and a part of the solid angle beyond it.
         let (cos_turn, sin_turn) = (c2 * c3 - s2 * s3, -(s2 * c3 + c2 * s3));
         let (sin, cos) = (u * self.solid_angle).sin_cos();
         let (sin, cos) = (sin * cos_turn + cos * sin_turn, cos * cos_turn - sin * sin_turn);
-        let f = -(cos * y0 + y1) / sin;
-        let c = (1.0 / (f * f + y0 * y0).sqrt()).copysign(f).clamp(-1.0, 1.0);
-        let x = c * self.height.abs() / (1.0 - c * c).max(f64::MIN_POSITIVE).sqrt();
+        // With f = n / sin, c of the paper is ±1 / √(f² + y0²), and x = c h / √(1 - c²).
+        let n = -(cos * y0 + y1);
+        let rest = n * n - sin * sin * (h_2 / (self.y[0] * self.y[0] + h_2));
+        let x = self.height.abs() * sin / rest.max(f64::MIN_POSITIVE).sqrt();
+        let x = if n < 0.0 { -x } else { x };
         let x = x.clamp(self.x[0], self.x[1]);
-        let d_2 = x * x + self.height * self.height;
-        let [h0, h1] = self.y.map(|y| y / (d_2 + y * y).sqrt());
+        let d_2 = x * x + h_2;
+        let sine = |y: f64| y / (d_2 + y * y).sqrt();
+        let (h0, h1) = (sine(self.y[0]), sine(self.y[1]));
         let h = h0 + v * (h1 - h0);
         let y = h * (d_2 / (1.0 - h * h).max(f64::MIN_POSITIVE)).sqrt();
         [x, y.clamp(self.y[0], self.y[1])]
     }
 
     /// The way from the site to a point of it, by the directions of the frame.
+    #[inline]
     pub fn way(&self, [x, y]: [f64; 2], axes: [DVec3; 2], normal: DVec3) -> DVec3 {
         x * axes[0] + y * axes[1] - self.height * normal
     }
@@ -127,10 +137,12 @@ impl Rectangle {
     }
 
     /// None in the middle: it is to be sampled by area. None at all: it is not seen.
+    #[inline(always)]
     fn solid(&self, site: &Site, both: bool) -> Option<Option<SolidRectangle>> {
         let height = self.flat.height(site, both)?;
         let corner = self.flat.at - site.point.position.as_dvec3();
-        let ([x, y], [long, wide]) = (self.axes.map(|axis| corner.dot(axis)), self.size);
+        let (x, y) = (corner.dot(self.axes[0]), corner.dot(self.axes[1]));
+        let [long, wide] = self.size;
         let (along, across) = (x + 0.5 * long, y + 0.5 * wide);
         let distance_2 = along * along + across * across + height * height;
         if !is_wide(long * long + wide * wide, distance_2) {
@@ -141,6 +153,7 @@ impl Rectangle {
     }
 
     /// A point of it that the site sees. Its front alone is seen, if not `both`.
+    #[inline(always)]
     pub fn sample(&self, (site, both): (&Site, bool), u: [f64; 2]) -> Option<Sampled> {
         let Some(solid) = self.solid(site, both)? else {
             return self.flat.sampled(site, self.point(u));
@@ -161,12 +174,61 @@ impl Rectangle {
     }
 
     /// The point of its triangles at these parts of its sides, 0 to 1.
+    #[inline(always)]
     fn point(&self, [s, t]: [f64; 2]) -> Point {
         let (s, t) = (s.clamp(0.0, 1.0), t.clamp(0.0, 1.0));
         let [b, c, d] = self.edges;
-        match s >= t {
-            true => self.facets[0].point(self.flat.at + (s - t) * b + t * c),
-            false => self.facets[1].point(self.flat.at + s * c + (t - s) * d),
+        // By a choice of numbers, not of ways: no processor foretells which triangle it is.
+        let second = s < t;
+        let (facet, edge) = (&self.facets[usize::from(second)], if second { d } else { b });
+        facet.point(self.flat.at + s.min(t) * c + (s - t).abs() * edge)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::random;
+
+    /// The sum of four arcs, as it is commonly written.
+    fn by_arcs(x: [f64; 2], y: [f64; 2], height: f64) -> f64 {
+        let part =
+            |x: f64, y: f64| (x * y / (height * (x * x + y * y + height * height).sqrt())).atan();
+        part(x[1], y[1]) - part(x[0], y[1]) - part(x[1], y[0]) + part(x[0], y[0])
+    }
+
+    #[test]
+    fn the_solid_angle_is_the_sum_of_four_arcs() {
+        for i in 0..20_000 {
+            let [a, b] = random::unit_pair(random::at(41, i)).map(|u| 4.0 * u - 2.0);
+            let [c, d] = random::unit_pair(random::at(42, i)).map(|u| 1e-3 + 3.0 * u * u);
+            let [e, _] = random::unit_pair(random::at(43, i)).map(|u| 1e-7_f64.powf(u));
+            let (x, y) = ([a, a + c], [b, b + d]);
+            let found = SolidRectangle::new(x, y, -e).solid_angle;
+            let truth = by_arcs(x, y, e);
+            assert!(
+                (found - truth).abs() < 1e-13 + 1e-12 * truth,
+                "{x:?} {y:?} {e}: {found} {truth}"
+            );
+        }
+    }
+
+    #[test]
+    fn parts_of_the_solid_angle_are_where_they_should_be() {
+        // By the definition: what is left of a sampled point has the part u of the solid angle, and
+        // of the line through it what is below has the part v of its sines.
+        for i in 0..5000 {
+            let [a, b] = random::unit_pair(random::at(44, i)).map(|u| 4.0 * u - 2.0);
+            let [c, d] = random::unit_pair(random::at(45, i)).map(|u| 0.05 + 2.0 * u);
+            let [u, v] = random::unit_pair(random::at(46, i));
+            let [height, _] = random::unit_pair(random::at(47, i)).map(|u| 0.01 + 2.0 * u);
+            let solid = SolidRectangle::new([a, a + c], [b, b + d], height);
+            let [x, y] = solid.sample([u, v]);
+            let left = by_arcs([a, x], [b, b + d], height) / solid.solid_angle;
+            assert!((left - u).abs() < 1e-9, "{left} for {u}");
+            let sine = |y: f64| y / (x * x + y * y + height * height).sqrt();
+            let below = (sine(y) - sine(b)) / (sine(b + d) - sine(b));
+            assert!((below - v).abs() < 1e-9, "{below} for {v}");
         }
     }
 }

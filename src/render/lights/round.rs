@@ -46,6 +46,7 @@ impl Disk {
     }
 
     /// A point of it that the site sees. Its front alone is seen, if not `both`.
+    #[inline(never)]
     pub fn sample(
         &self,
         geometry: &Geometry,
@@ -124,6 +125,7 @@ impl Sphere {
     }
 
     /// A point of it that the site sees. From inside nothing is seen, if not `both`.
+    #[inline(never)]
     pub fn sample(
         &self,
         geometry: &Geometry,

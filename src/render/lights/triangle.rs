@@ -99,6 +99,7 @@ impl Triangle {
     }
 
     /// A point of it that the site sees. Its front alone is seen, if not `both`.
+    #[inline(never)]
     pub fn sample(&self, (site, both): (&Site, bool), u: [f64; 2]) -> Option<Sampled> {
         let from = site.point.position.as_dvec3();
         let (cross, facet, [a, b, c]) = (self.cross(), Facet::of(self.corners), self.corners);

@@ -21,6 +21,7 @@ pub struct Diffuse {
 
 impl Diffuse {
     /// The surface at a hit.
+    #[inline]
     pub(super) fn at(&self, uv: DVec2, facing: &Facing) -> Lambert {
         Lambert { albedo: self.albedo.at(uv), ..Lambert::black(facing) }
     }
@@ -38,27 +39,33 @@ pub struct Lambert {
 
 impl Lambert {
     /// One that scatters nothing.
+    #[inline]
     pub(super) fn black(facing: &Facing) -> Self {
         Self { albedo: Rgb::BLACK, ng: facing.ng, ns: facing.ns }
     }
 
     /// albedo/π times the cosine at the shading normal.
+    #[inline]
     pub(super) fn scattered(&self, wi: Vec3) -> Rgb {
         self.albedo * (FRAC_1_PI * self.ns.dot(wi).max(0.0))
     }
 
     /// Whether `wi` is on the viewer's side of the geometric surface.
+    #[inline]
     pub(super) fn faces(&self, wi: Vec3) -> bool {
         self.ng.dot(wi) > 0.0
     }
 
+    #[inline]
     pub(super) fn side(&self) -> Vec3 {
         self.ns
     }
 
     /// By the cosine to the shading normal; None below the surface, or black.
+    #[inline(always)]
     pub(super) fn sample(&self, u: [f64; 2]) -> Option<Scattered> {
-        let local = warp::square_to_cosine(Vec2::from_array(u.map(random::unit_f32)));
+        let u = Vec2::new(random::unit_f32(u[0]), random::unit_f32(u[1]));
+        let local = warp::square_to_cosine(u);
         let wi = warp::about(self.ns, local);
         let pdf_w = self.pdf_w(wi);
         (pdf_w > 0.0 && self.faces(wi) && !self.albedo.is_black()).then_some(Scattered {
@@ -71,6 +78,7 @@ impl Lambert {
     }
 
     /// cos θ/π.
+    #[inline]
     pub(super) fn pdf_w(&self, wi: Vec3) -> f32 {
         FRAC_1_PI * self.ns.dot(wi).max(0.0)
     }

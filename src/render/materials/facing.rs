@@ -23,6 +23,7 @@ const LEAST: f32 = 1e-6;
 
 impl Facing {
     /// A hit, seen from `wo`. Seen from behind, a surface is as if it were turned round.
+    #[inline]
     pub fn new(hit: &Hit, wo: Vec3) -> Self {
         let front = hit.ng.dot(wo) >= 0.0;
         let side = if front { 1.0 } else { -1.0 };

@@ -7,6 +7,7 @@ mod conductor;
 mod dielectric;
 mod diffuse;
 mod facing;
+mod matter;
 mod mirror;
 mod mixture;
 
@@ -16,6 +17,7 @@ mod tests;
 pub use conductor::Conductor;
 pub use dielectric::{Dielectric, Interface};
 pub use diffuse::{Diffuse, Lambert};
+pub use matter::{Any, Makeup, Matter, OnlyDiffuse, Scatter};
 pub use mirror::{Mirror, Reflector};
 pub use mixture::{Mixed, Mixture};
 
@@ -65,6 +67,7 @@ pub enum Surface {
 
 impl Material {
     /// The radiance that a hit shines of itself towards `wo`, in light units.
+    #[inline]
     pub fn emission(&self, hit: &Hit, wo: Vec3) -> Rgb {
         let Emission { radiance, both } = self.emission;
         if both || hit.ng.dot(wo) > 0.0 { radiance } else { Rgb::BLACK }
@@ -76,6 +79,7 @@ impl Material {
     }
 
     /// What the material is at a hit, seen from `wo`, which points away from the surface.
+    #[inline]
     pub fn at(&self, hit: &Hit, wo: Vec3) -> Bsdf {
         self.surface.at(hit.uv, &Facing::new(hit, wo))
     }

@@ -113,18 +113,21 @@ pub struct Stream {
 
 impl Stream {
     /// The next two numbers, uniform in [0, 1)².
+    #[inline(always)]
     pub fn pair(&mut self) -> [f64; 2] {
         let [a, b, ..] = self.four();
         [a, b]
     }
 
     /// The next four numbers, uniform in [0, 1)⁴.
+    #[inline(always)]
     pub fn four(&mut self) -> [f64; 4] {
         self.fan(1).four(0)
     }
 
     /// The next numbers for so many rays that go on side by side: four for each of them. What is
     /// not asked for costs nothing.
+    #[inline(always)]
     pub fn fan(&mut self, count: u32) -> Fan {
         let dimension = self.dimension;
         self.dimension += 1;
@@ -151,31 +154,44 @@ pub struct Fan {
 
 impl Fan {
     /// The four numbers of the `nth`, uniform in [0, 1)⁴.
-    #[inline]
+    #[inline(always)]
     pub fn four(&self, nth: u32) -> [f64; 4] {
         debug_assert!(nth < self.count);
-        let place = self.dimension | u64::from(nth) << 32;
-        let leading = self.dimension < LEADING;
-        match self.spread {
-            Spread::Sobol { round, index } if leading => {
-                let point = u64::from(index) * u64::from(self.count) + u64::from(nth);
-                if point < MOST_POINTS {
-                    let scramble = random::at(round, self.dimension) as u32;
-                    return sobol_burley::sample_4d(point as u32, 0, scramble).map(f64::from);
-                }
-            }
-            Spread::Strata(strata) if leading => {
-                let bits = random::at(self.own, place);
-                let order = random::at(strata.round, place);
-                let [a, b] = strata.jittered(random::unit_pair(bits), order);
-                let [c, d] = strata.jittered(random::unit_pair(random::mix(bits)), !order);
-                return [a, b, c, d];
-            }
-            _ => {}
+        if !matches!(self.spread, Spread::None)
+            && self.dimension < LEADING
+            && let Some(spread) = self.spread_four(nth)
+        {
+            return spread;
         }
-        let bits = random::at(self.own, place);
+        let bits = random::at(self.own, self.place(nth));
         let ([a, b], [c, d]) = (random::unit_pair(bits), random::unit_pair(random::mix(bits)));
         [a, b, c, d]
+    }
+
+    #[inline(always)]
+    fn place(&self, nth: u32) -> u64 {
+        self.dimension | u64::from(nth) << 32
+    }
+
+    /// The same, spread evenly; None if there are no points left for them.
+    #[inline(never)]
+    fn spread_four(&self, nth: u32) -> Option<[f64; 4]> {
+        match self.spread {
+            Spread::None => None,
+            Spread::Sobol { round, index } => {
+                let point = u64::from(index) * u64::from(self.count) + u64::from(nth);
+                let scramble = random::at(round, self.dimension) as u32;
+                let point = (point < MOST_POINTS).then_some(point as u32)?;
+                Some(sobol_burley::sample_4d(point, 0, scramble).map(f64::from))
+            }
+            Spread::Strata(strata) => {
+                let bits = random::at(self.own, self.place(nth));
+                let order = random::at(strata.round, self.place(nth));
+                let [a, b] = strata.jittered(random::unit_pair(bits), order);
+                let [c, d] = strata.jittered(random::unit_pair(random::mix(bits)), !order);
+                Some([a, b, c, d])
+            }
+        }
     }
 }
 

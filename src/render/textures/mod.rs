@@ -28,6 +28,7 @@ pub enum Colour {
 
 impl Colour {
     /// At these coordinates of a surface.
+    #[inline]
     pub fn at(&self, uv: DVec2) -> Rgb {
         match self {
             Self::Plain(colour) => *colour,

@@ -1,0 +1,232 @@
+//! What happens to a path between its rays: each material asked for directions and for what it
+//! scatters, lights chosen and their points sampled; and a whole small picture of diffuse surfaces,
+//! as its plan builds it and with everything put in.
+//!
+//! `cargo bench --bench path`
+
+#[path = "../tests/shots/mod.rs"]
+mod shots;
+
+use std::sync::LazyLock;
+
+use divan::counter::ItemsCount;
+use divan::{Bencher, black_box};
+use glam::{DVec3, Vec2, Vec3};
+use scn::math::{NoProgress, Rgb, random, warp};
+use scn::plan::Plan;
+use scn::prepare::{self, Prepared, Settings};
+use scn::render::film::Taken;
+use scn::render::geometry::{self, Geometry, Hit, Owner, Primitive, Ray, Shapes};
+use scn::render::lights::{Centre, Lamp, Light, Lights, PointLight, Site};
+use scn::render::materials::{
+    Bsdf, Conductor, Dielectric, Diffuse, Emission, Material, Mirror, Mixture, Part, Surface,
+};
+use scn::render::textures::Colour;
+use scn::render::tiles::{Job, Threads};
+
+/// Directions, sites and random numbers of a turn.
+const TURN: u64 = 1000;
+
+fn main() {
+    divan::main();
+}
+
+fn numbers(place: u64) -> [f64; 4] {
+    let bits = random::at(1, place);
+    let ([a, b], [c, d]) = (random::unit_pair(bits), random::unit_pair(random::mix(bits)));
+    [a, b, c, d]
+}
+
+fn direction(place: u64) -> Vec3 {
+    let [a, b, ..] = numbers(place);
+    warp::square_to_cosine(Vec2::new(random::unit_f32(a), random::unit_f32(b)))
+}
+
+// Materials.
+
+const MATERIALS: [&str; 6] =
+    ["diffuse", "mirror", "conductor", "conductor of a table", "dielectric", "mixture"];
+
+fn surface(name: &str) -> Surface {
+    let grey = |value| Colour::Plain(Rgb::grey(value));
+    match name {
+        "diffuse" => Surface::Diffuse(Diffuse { albedo: grey(0.5) }),
+        "mirror" => Surface::Mirror(Mirror { reflectance: grey(0.9) }),
+        "conductor" => Surface::Conductor(Conductor::Channels {
+            n: [0.14, 0.43, 1.38],
+            k: [3.697, 2.455, 1.914],
+        }),
+        "conductor of a table" => {
+            let table = (0..64_u8).map(|i| Rgb::grey(1.0 - f32::from(i) / 100.0)).collect();
+            Surface::Conductor(Conductor::Table(table))
+        }
+        "dielectric" => Surface::Dielectric(Dielectric { inside: 1.5, outside: 1.0 }),
+        _ => Surface::Mixture(Mixture {
+            parts: ["diffuse", "conductor", "dielectric"]
+                .map(|part| (1.0 / 3.0, surface(part)))
+                .to_vec(),
+        }),
+    }
+}
+
+/// A hit on a floor, from above.
+fn floor() -> Hit {
+    let mut shapes = Shapes::new();
+    let corners = [Vec3::NEG_ONE, Vec3::new(3.0, -1.0, -1.0), Vec3::new(-1.0, 3.0, -1.0)];
+    let corners = corners.map(|corner| shapes.vertex(corner));
+    let owner = Owner::default();
+    shapes.triangle(geometry::Triangle { corners, normals: None, owner });
+    let hit = Geometry::build(shapes).closest(&Ray::new(Vec3::ZERO, Vec3::NEG_Z));
+    hit.expect("a floor below")
+}
+
+fn material(name: &str) -> Material {
+    let emission = Emission { radiance: Rgb::BLACK, both: false };
+    Material { surface: surface(name), emission, before: 0, behind: None }
+}
+
+/// A material at hits from many sides.
+fn seen(name: &str) -> Vec<Bsdf> {
+    let (material, hit) = (material(name), floor());
+    (0..TURN).map(|i| material.at(&hit, direction(i))).collect()
+}
+
+#[divan::bench(args = MATERIALS)]
+fn material_at_a_hit(bencher: Bencher, name: &str) {
+    let (material, hit) = (material(name), floor());
+    let views: Vec<Vec3> = (0..TURN).map(direction).collect();
+    bencher.counter(ItemsCount::new(TURN)).bench_local(|| {
+        views.iter().for_each(|wo| _ = black_box(material.at(&hit, black_box(*wo))));
+    });
+}
+
+#[divan::bench(args = MATERIALS)]
+fn material_sample(bencher: Bencher, name: &str) {
+    let (seen, u): (_, Vec<_>) = (seen(name), (0..TURN).map(numbers).collect());
+    bencher.counter(ItemsCount::new(TURN)).bench_local(|| {
+        let asked = seen.iter().zip(&u);
+        asked.for_each(|(bsdf, u)| _ = black_box(bsdf.sample(Part::All, black_box(*u))));
+    });
+}
+
+#[divan::bench(args = MATERIALS)]
+fn material_eval_and_pdf(bencher: Bencher, name: &str) {
+    let (seen, wi): (_, Vec<_>) = (seen(name), (0..TURN).map(|i| direction(i + TURN)).collect());
+    bencher.counter(ItemsCount::new(TURN)).bench_local(|| {
+        for (bsdf, wi) in seen.iter().zip(&wi) {
+            let wi = black_box(*wi);
+            black_box((bsdf.scattered(wi), bsdf.pdf_w(Part::All, wi)));
+        }
+    });
+}
+
+// Lights.
+
+fn sites() -> Vec<Site> {
+    let site = |i| {
+        let [a, b, c, _] = numbers(i).map(|u| u as f32);
+        Site { normal: Vec3::Z, ..Site::free(Vec3::new(a - 0.5, b - 0.5, 0.1 * c)) }
+    };
+    (0..TURN).map(site).collect()
+}
+
+#[divan::bench(args = [1, 2, 16, 10_000])]
+fn light_choice(bencher: Bencher, count: u64) {
+    let bulb = |i| {
+        let [a, b, c, _] = numbers(i).map(|u| u as f32);
+        let position = Vec3::new(2.0 * a - 1.0, 2.0 * b - 1.0, 1.0 + c);
+        Light::Point(PointLight { position, intensity: Rgb::ONE })
+    };
+    let lights = Lights::new((0..count).map(bulb).collect(), Vec::new(), Vec::new());
+    let (sites, u): (_, Vec<_>) = (sites(), (0..TURN).map(|i| numbers(i)[0]).collect());
+    bencher.counter(ItemsCount::new(TURN)).bench_local(|| {
+        let asked = sites.iter().zip(&u);
+        asked.for_each(|(site, u)| _ = black_box(lights.choose(black_box(site), *u)));
+    });
+}
+
+const LAMPS: [&str; 5] = ["near rectangle", "far rectangle", "triangle", "disk", "sphere"];
+
+fn lamp(name: &str) -> (Geometry, Light) {
+    let mut shapes = Shapes::new();
+    let owner = Owner::default();
+    let (height, size) = if name == "far rectangle" { (20.0, 1.0) } else { (1.0, 0.8) };
+    let mut triangle = |corners: [[f32; 2]; 3]| -> Primitive {
+        let corners = corners.map(|[x, y]| shapes.vertex(Vec3::new(size * x, size * y, height)));
+        shapes.triangle(geometry::Triangle { corners, normals: None, owner })
+    };
+    let surfaces = match name {
+        "triangle" => vec![triangle([[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]])],
+        "disk" => vec![shapes.disk(geometry::Disk {
+            centre: height * Vec3::Z,
+            normal: Vec3::NEG_Z,
+            radius: 0.5,
+            owner,
+        })],
+        "sphere" => {
+            vec![shapes.sphere(geometry::Sphere { centre: height * Vec3::Z, radius: 0.5, owner })]
+        }
+        _ => vec![
+            triangle([[0.0, 0.0], [0.0, 1.0], [1.0, 1.0]]),
+            triangle([[0.0, 0.0], [1.0, 1.0], [1.0, 0.0]]),
+        ],
+    };
+    let geometry = Geometry::build(shapes);
+    let centre = Centre::new(f64::from(height) * DVec3::Z, DVec3::NEG_Z, DVec3::ONE);
+    let lamp = Lamp::new((Rgb::ONE, false), surfaces, &geometry, centre);
+    (geometry, Light::Lamp(Box::new(lamp)))
+}
+
+#[divan::bench(args = LAMPS)]
+fn light_sample(bencher: Bencher, name: &str) {
+    let (geometry, light) = lamp(name);
+    let (sites, u): (_, Vec<_>) = (sites(), (0..TURN).map(numbers).collect());
+    bencher.counter(ItemsCount::new(TURN)).bench_local(|| {
+        for (site, [u, v, ..]) in sites.iter().zip(&u) {
+            black_box(light.sample(&geometry, black_box(site), [*u, *v]));
+        }
+    });
+}
+
+// A whole picture.
+
+const BLOCKS: &str = "\
+scn 1 in mm
+use \"scenes/lib/cornell.scn\"
+film: { size: (48, 48) }
+integrator: path
+render picture: blocks {}
+";
+
+/// As its plan builds it, and with everything put in.
+static PICTURE: LazyLock<[Prepared; 2]> = LazyLock::new(|| {
+    let shots = shots::open_text(&shots::path("bench.scn"), BLOCKS, &[]);
+    let shots = shots.unwrap_or_else(|report| panic!("{report}"));
+    let plan = Plan::of(&shots[0].stage);
+    [plan.clone(), plan.forced()].map(|plan| {
+        let settings = Settings::default();
+        let (prepared, _) = prepare::prepare_by(&plan, &shots[0].stage, &settings, &NoProgress);
+        prepared.expect("a scene without faults")
+    })
+});
+
+#[divan::bench(args = ["as planned", "everything put in"])]
+fn blocks(bencher: Bencher, how: &str) {
+    let Prepared { world, integrator, .. } = &PICTURE[usize::from(how != "as planned")];
+    let taken = Taken::new(&world.film, world.sampler.rhythm(), 0);
+    let tiles: Vec<usize> = (0..taken.tiles()).collect();
+    let samples = 0..8;
+    let paths = world.film.window.pixels() * samples.end;
+    let job = Job {
+        seed: 1,
+        samples,
+        tiles: &tiles,
+        taken: &taken,
+        cancelled: &|_| false,
+        advance: &|_| (),
+    };
+    let thread = Threads::new(1).expect("a thread");
+    bencher.counter(ItemsCount::new(paths)).bench_local(|| {
+        black_box(thread.run(|| integrator.pass(world, &job)));
+    });
+}
