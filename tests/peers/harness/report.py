@@ -107,7 +107,7 @@ def page(data, asked):
 
 
 def plot(data, path):
-    """Seconds to the goal, a group of bars a scene."""
+    """Seconds to the goal, a group of points a scene."""
     import matplotlib
     matplotlib.use("svg")
     from matplotlib import pyplot
@@ -120,13 +120,14 @@ def plot(data, path):
         for i, row in enumerate(all_rows):
             label = None if row.program in seen else NAMES[row.program]
             seen.add(row.program)
-            axes.bar(at + i, row.to_goal, 0.9, color=colours[row.program], label=label)
-            axes.text(at + i, row.to_goal, figure(row.to_goal), ha="center", va="bottom",
-                      fontsize=8)
+            axes.plot(at + i, row.to_goal, "o", color=colours[row.program], label=label)
+            axes.annotate(figure(row.to_goal), (at + i, row.to_goal), (0, 6),
+                          textcoords="offset points", ha="center", fontsize=8)
         ticks.append((at + (len(all_rows) - 1) / 2, scenes.scene(scene).title))
         at += len(all_rows) + 1
     axes.set_yscale("log")
-    axes.margins(y=0.12)
+    axes.margins(y=0.2)
+    axes.grid(axis="y", alpha=0.3)
     axes.set_ylabel(f"seconds to a relMSE of {GOAL}")
     axes.set_xticks([tick for tick, _ in ticks], [title for _, title in ticks], fontsize=8)
     axes.legend(fontsize=8, frameon=False)

@@ -19,9 +19,11 @@ class Plan:
     alone: int  # samples
 
 
-FULL = Plan(512, 7, 20, (128, 8, 16, 64), (700, 11), 64)
-QUICK = Plan(512, 3, 5, (64, 4, 12, 64), (500, 5), 16)
-TINY = Plan(64, 2, 0.2, (16, 4, 6, 16), (50, 3), 4)
+PLANS = {
+    "full": Plan(512, 7, 20, (128, 8, 16, 64), (700, 11), 64),
+    "quick": Plan(512, 3, 5, (64, 4, 12, 64), (500, 5), 16),
+    "tiny": Plan(64, 2, 0.2, (16, 4, 6, 16), (50, 3), 4),
+}
 
 
 def programs():
@@ -40,14 +42,15 @@ def programs():
 
 
 def run(asked):
-    plan = TINY if asked.tiny else QUICK if asked.quick else FULL
+    name = "tiny" if asked.tiny else "quick" if asked.quick else "full"
+    plan = PLANS[name]
     there, absent = programs()
     for program, why in absent.items():
         print(f"without {program}: {why}")
     timed = [name for name in scenes.TIMED if not asked.only or name in asked.only]
     compared = [name for name in scenes.SCENES if not asked.only or name in asked.only]
     bench = renders.Bench(asked.scn, asked.work, there)
-    store = Store(asked.work / "results.json", {
+    store = Store(asked.work / f"{name}.json", {
         "plan": repr(plan), "scn": digest(asked.scn), "programs": there, "only": asked.only},
         anew=asked.steps != ["report"])
     store.data["machine"] = machine()
