@@ -80,11 +80,11 @@ class Scn:
             values = pictures.read(Path(folder) / f"{name}.exr")
         return Picture(values, samples, wall, cpu, peak)
 
-    def pictures(self, names):
-        """Renders of scenes.scn as they are, by their names."""
+    def pictures(self, names, samples):
+        """Renders of scenes.scn by their names."""
         with tempfile.TemporaryDirectory() as folder:
             only = [word for name in names for word in ("--only", name)]
-            run([self.binary, "render", SCENES, *only, "-o", folder, "-q"])
+            run([self.binary, "render", SCENES, *only, "-o", folder, "-q", "--samples", str(samples)])
             return {name: pictures.read(Path(folder) / f"{name}.exr") for name in names}
 
     def hash(self, name):

@@ -16,6 +16,9 @@ SIDES = {
     "sky_nz": ((0, 0, -1), (0, 1, 0)),
 }
 
+# The sky is smooth within a pixel.
+SAMPLES = 4
+
 # Rows below the horizon that repeat it, so that interpolation finds no black there. The plane hides
 # them.
 BELOW = 2
@@ -23,9 +26,10 @@ BELOW = 2
 
 def image(scn, path):
     """Writes the image, in the layout of Mitsuba's `envmap`."""
-    sides = scn.pictures(list(SIDES))
+    sides = scn.pictures(list(SIDES), SAMPLES)
     u = (np.arange(WIDTH) + 0.5) / WIDTH * 2 * np.pi
-    theta = (np.arange(HEIGHT) + 0.5) / HEIGHT * np.pi
+    # Mitsuba's columns are centred, its rows reach from pole to pole.
+    theta = np.arange(HEIGHT) / (HEIGHT - 1) * np.pi
     horizon = HEIGHT // 2
     theta[horizon:horizon + BELOW] = theta[horizon - 1]
     sin = np.sin(theta)[:, None]
