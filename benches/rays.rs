@@ -116,9 +116,11 @@ fn shapes() -> Shapes {
     shapes
 }
 
+/// A geometry, rays of a camera, and rays from where they end.
+type Rows = (Geometry, Vec<Ray>, Vec<Ray>);
+
 /// Rows of bunnies, [`ROWS`]³ of them, in a cube of side 2.
-static ROWS_OF_BUNNIES: LazyLock<[(Geometry, Vec<Ray>, Vec<Ray>); 2]> =
-    LazyLock::new(|| [true, false].map(rows));
+static ROWS_OF_BUNNIES: LazyLock<[Rows; 2]> = LazyLock::new(|| [true, false].map(rows));
 
 const ROWS: u32 = 4;
 
@@ -135,7 +137,7 @@ fn rows_diffuse(bencher: Bencher, as_what: &str) {
 }
 
 /// With the rays of the camera, and those from where they end.
-fn rows(as_instances: bool) -> (Geometry, Vec<Ray>, Vec<Ray>) {
+fn rows(as_instances: bool) -> Rows {
     let mut shapes = Shapes::new();
     let (positions, triangles) = bunny();
     let mesh = shapes.mesh(Arc::new(Mesh { positions, triangles, ..Mesh::default() }));
