@@ -84,7 +84,8 @@ class Scn:
         """Renders of scenes.scn by their names."""
         with tempfile.TemporaryDirectory() as folder:
             only = [word for name in names for word in ("--only", name)]
-            run([self.binary, "render", SCENES, *only, "-o", folder, "-q", "--samples", str(samples)])
+            run([self.binary, "render", SCENES, *only, "-o", folder, "-q",
+                 "--samples", str(samples)])
             return {name: pictures.read(Path(folder) / f"{name}.exr") for name in names}
 
     def hash(self, name):

@@ -1,6 +1,7 @@
 """Pictures by all programs in turn: samples a second, and the time to a relMSE of 0.01; how long a
 program takes to begin; whether the pictures agree."""
 
+import hashlib
 import os
 import sys
 import sysconfig
@@ -27,9 +28,14 @@ class Bench:
     def __init__(self, binary, work, programs):
         self.scn, self.work, self.programs = Scn(binary), work, programs
 
+    def key(self, name):
+        """What a scene is kept by: its name, its hash, and how it is written for peers."""
+        sources = b"".join(Path(part.__file__).read_bytes() for part in (scenes, export, sky))
+        return f"{name}-{self.scn.hash(name)[:16]}-{hashlib.sha256(sources).hexdigest()[:8]}"
+
     def export(self, name):
         """The file of a scene for Mitsuba; written if it is not there."""
-        folder = self.work / "scenes" / f"{name}-{self.scn.hash(name)[:16]}"
+        folder = self.work / "scenes" / self.key(name)
         if not (folder / "scene.xml").exists():
             shown, image = scenes.scene(name), None
             if shown.sky:
@@ -93,7 +99,7 @@ def reference(bench, name, size, wanted, say):
     """The reference of a scene, as good as wanted; made or gone on with if it is not."""
     folder = bench.work / "references"
     folder.mkdir(parents=True, exist_ok=True)
-    kept = Reference(folder / f"{name}-{size}-{bench.scn.hash(name)[:16]}.npz")
+    kept = Reference(folder / f"{bench.key(name)}-{size}.npz")
     if kept.error > wanted:
         programs = [p for p in ("scn", "mitsuba llvm", "mitsuba scalar")
                     if p == "scn" or p in bench.programs][:2]

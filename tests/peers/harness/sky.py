@@ -38,6 +38,10 @@ def image(scn, path):
     values = np.zeros((HEIGHT, WIDTH, 3), dtype=np.float32)
     nearest = np.full((HEIGHT, WIDTH), -1.0)
     for name, (forward, up) in SIDES.items():
+        if up == (0, 1, 0):
+            # Its lower half is black, and no neighbour of the sky.
+            half = len(sides[name]) // 2
+            sides[name][half:] = sides[name][half - 1]
         depth = towards @ np.array(forward, dtype=float)
         here = depth > nearest
         nearest[here] = depth[here]

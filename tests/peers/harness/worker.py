@@ -4,8 +4,8 @@
 
 KIND is a word of KINDS; SCENE the file of a scene for Mitsuba, the name of one for the others.
 Asked `{"samples": 16, "seed": 1, "file": "a.npy"}` it answers `{"samples": …, "wall": …, "cpu": …,
-"peak": …}`: samples that were taken, seconds of rendering alone, by the clock and of the processor, and the
-process's peak memory in bytes.
+"peak": …}`: samples that were taken, seconds of rendering alone, by the clock and of the processor,
+and the process's peak memory in bytes.
 """
 
 import json
