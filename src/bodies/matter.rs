@@ -47,7 +47,8 @@ impl<'a> Matter<'a> {
         Self::of_media(&mut Media::of(stage), placed, points)
     }
 
-    fn of_media(media: &mut Media<'a>, placed: &[Placed<'a>], points: usize) -> Self {
+    /// The same with the media known so far; all that surfaces name come to them.
+    pub(super) fn of_media(media: &mut Media<'a>, placed: &[Placed<'a>], points: usize) -> Self {
         let before = placed.iter().map(|object| Before::said(object, media)).collect();
         for part in placed.iter().flat_map(Placed::all_parts) {
             part.value.value.sides().map(|(inside, _)| media.number(inside));
@@ -160,7 +161,11 @@ impl<'a> Matter<'a> {
     }
 
     /// Joins what lies near enough to be joined, and tells of what stays open.
-    fn close(&mut self, surfaces: &mut Surfaces, found: &mut Vec<Diagnostic>) -> (Seams, bool) {
+    pub(super) fn close(
+        &mut self,
+        surfaces: &mut Surfaces,
+        found: &mut Vec<Diagnostic>,
+    ) -> (Seams, bool) {
         let mut seams = Seams::of(surfaces);
         if !seams.open.is_empty() {
             let moves = Reach::of(surfaces, &seams.open).moves(&seams.open);

@@ -5,10 +5,11 @@
 //! their corners are counted once a place (surfaces), edges tell whether they close and which hang
 //! together (seams), what is nearly closed is joined (closing); the closed surfaces are solids, and
 //! how often each goes round a point tells what is where (solids, layers for planes). Surfaces of
-//! bodies must not cross (crossing).
+//! bodies must not cross (crossing). What they say against it is told apart (contradicted).
 
 mod charts;
 mod closing;
+mod contradicted;
 mod crossing;
 mod errors;
 mod flat;
@@ -23,6 +24,8 @@ mod tree;
 mod view;
 mod yields;
 
+pub use contradicted::{Contradicted, contradicted};
+pub use errors::matter::place as place_in_words;
 pub use flat::Flat;
 pub use matter::Matter;
 pub use overlaps::Overlaps;

@@ -329,6 +329,11 @@ impl<'s> Solids<'s> {
         }
     }
 
+    /// Which solid a side of a face or a ball belongs to; of one without a medium none of them.
+    pub fn of_side(&self, side: usize) -> u32 {
+        self.of_side[side]
+    }
+
     /// What is before a plane.
     pub fn before_wall(&self, wall: usize) -> u32 {
         self.layers.before(wall).unwrap_or(SURROUNDINGS)

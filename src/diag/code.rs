@@ -99,6 +99,8 @@ codes! {
     LINT_MISSING_CAPTION = "lint/missing-caption";
     LINT_NAMES_BY_CASE = "lint/names-by-case";
     LINT_NOISY_FILTER = "lint/noisy-filter";
+    LINT_NON_MANIFOLD = "lint/non-manifold";
+    LINT_OUTSIDE_CONTRADICTED = "lint/outside-contradicted";
     LINT_SAME_CAPTION = "lint/same-caption";
     LINT_SAME_MEDIUM = "lint/same-medium";
     LINT_SAME_PICTURE = "lint/same-picture";

@@ -51,19 +51,21 @@ fn winding(mesh: &Mesh, to_metres: Transform, p: DVec3) -> f64 {
     sign * mesh.triangles.iter().map(solid_angle).sum::<f64>() / (4.0 * PI)
 }
 
+/// Of each corner of a mesh a number: those at one position have the same.
+pub(super) fn same_corners(mesh: &Mesh) -> Vec<u32> {
+    let mut numbers: HashMap<[u64; 3], u32> = HashMap::new();
+    let number = |p: &DVec3| {
+        let next = numbers.len() as u32;
+        // Adding zero turns -0 into 0.
+        *numbers.entry(p.to_array().map(|x| (x + 0.0).to_bits())).or_insert(next)
+    };
+    mesh.positions.iter().map(number).collect()
+}
+
 /// Whether each edge of a mesh belongs to an even number of triangles. Corners at one position are
 /// one corner.
 pub(super) fn is_closed(mesh: &Mesh) -> bool {
-    let mut numbers: HashMap<[u64; 3], u32> = HashMap::new();
-    let same: Vec<u32> = mesh
-        .positions
-        .iter()
-        .map(|p| {
-            let next = numbers.len() as u32;
-            // Adding zero turns -0 into 0.
-            *numbers.entry(p.to_array().map(|x| (x + 0.0).to_bits())).or_insert(next)
-        })
-        .collect();
+    let same = same_corners(mesh);
     let mut odd: HashMap<(u32, u32), bool> = HashMap::new();
     for triangle in &mesh.triangles {
         let [a, b, c] = triangle.map(|i| same[i as usize]);

@@ -124,8 +124,8 @@ fn labelled(fault: Diagnostic, objects: &[&At<String>], first: String) -> Diagno
     })
 }
 
-/// A place, in the unit that its numbers are short in.
-fn place(at: DVec3) -> String {
+/// A place given in metres, in the unit that its numbers are short in.
+pub fn place(at: DVec3) -> String {
     let (factor, unit) = unit(at.abs().max_element());
     let [x, y, z] = (at / factor).to_array().map(|x| {
         let x = format!("{x:.3}");

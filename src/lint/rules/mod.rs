@@ -24,6 +24,8 @@ mod many_turns;
 mod missing_caption;
 mod names_by_case;
 mod noisy_filter;
+mod non_manifold;
+mod outside_contradicted;
 mod same_caption;
 mod same_medium;
 mod same_picture;
@@ -72,6 +74,8 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_MISSING_CAPTION, look: Look::Renders(missing_caption::look) },
     Rule { code: Code::LINT_NAMES_BY_CASE, look: Look::Text(names_by_case::look) },
     Rule { code: Code::LINT_NOISY_FILTER, look: Look::Render(noisy_filter::look) },
+    Rule { code: Code::LINT_NON_MANIFOLD, look: Look::Render(non_manifold::look) },
+    Rule { code: Code::LINT_OUTSIDE_CONTRADICTED, look: Look::Render(outside_contradicted::look) },
     Rule { code: Code::LINT_SAME_CAPTION, look: Look::Renders(same_caption::look) },
     Rule { code: Code::LINT_SAME_MEDIUM, look: Look::Render(same_medium::look) },
     Rule { code: Code::LINT_SAME_PICTURE, look: Look::Renders(same_picture::look) },
