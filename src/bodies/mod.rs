@@ -30,4 +30,5 @@ pub use flat::Flat;
 pub use matter::Matter;
 pub use overlaps::Overlaps;
 pub use placed::{Body, Placed, place};
+pub use seams::Sets;
 pub use view::eye;

@@ -121,7 +121,7 @@ fn edges(surfaces: &Surfaces) -> Vec<Edge> {
 }
 
 /// Sets of numbers, joined one by one.
-pub(super) struct Sets(Vec<u32>);
+pub struct Sets(Vec<u32>);
 
 impl Sets {
     /// So many, each by itself.
@@ -141,7 +141,8 @@ impl Sets {
         at as usize
     }
 
-    fn join(&mut self, one: u32, other: u32) {
+    /// Makes the sets of two numbers one.
+    pub fn join(&mut self, one: u32, other: u32) {
         let (one, other) = (self.least(one as usize), self.least(other as usize));
         self.0[one.max(other)] = one.min(other) as u32;
     }

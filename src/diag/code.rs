@@ -97,6 +97,7 @@ codes! {
     LINT_LIGHT_INSIDE = "lint/light-inside";
     LINT_MANY_TURNS = "lint/many-turns";
     LINT_MISSING_CAPTION = "lint/missing-caption";
+    LINT_MIXED_SCALE = "lint/mixed-scale";
     LINT_NAMES_BY_CASE = "lint/names-by-case";
     LINT_NOISY_FILTER = "lint/noisy-filter";
     LINT_NON_MANIFOLD = "lint/non-manifold";

@@ -22,6 +22,7 @@ mod light_behind_plane;
 mod light_inside;
 mod many_turns;
 mod missing_caption;
+mod mixed_scale;
 mod names_by_case;
 mod noisy_filter;
 mod non_manifold;
@@ -72,6 +73,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_LIGHT_INSIDE, look: Look::Render(light_inside::look) },
     Rule { code: Code::LINT_MANY_TURNS, look: Look::Render(many_turns::look) },
     Rule { code: Code::LINT_MISSING_CAPTION, look: Look::Renders(missing_caption::look) },
+    Rule { code: Code::LINT_MIXED_SCALE, look: Look::Render(mixed_scale::look) },
     Rule { code: Code::LINT_NAMES_BY_CASE, look: Look::Text(names_by_case::look) },
     Rule { code: Code::LINT_NOISY_FILTER, look: Look::Render(noisy_filter::look) },
     Rule { code: Code::LINT_NON_MANIFOLD, look: Look::Render(non_manifold::look) },
