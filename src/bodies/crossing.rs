@@ -1,11 +1,16 @@
 //! Surfaces of bodies that cross or lie on each other: of two bodies there, either could be meant.
 
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::flat::Flat;
+use super::solids::Solids;
+use super::straddling;
 use super::surfaces::{Surfaces, Wall};
-use super::tree::{Item, Tree, bounds};
+use super::tree::{Item, bounds};
+use super::triangles::{Contact, TOUCH, contact};
 use crate::math::Bounds;
 
 /// How two surfaces meet.
@@ -19,34 +24,53 @@ pub(super) struct Meeting {
     pub coincide: bool,
 }
 
-/// Nearer than this part of their size surfaces touch; that is no crossing yet.
-const TOUCH: f64 = 1e-9;
-
 /// The first meeting of two surfaces that may not, in the order of the surfaces. `may` tells of
-/// skins.
+/// skins; surfaces nearer than `together`, in metres, lie on each other.
 pub(super) fn find(
-    surfaces: &Surfaces,
-    tree: &Tree,
-    sheets: &[u32],
+    solids: &Solids,
     may: &(dyn Fn(u32, u32) -> bool + Sync),
+    together: f64,
 ) -> Option<Meeting> {
+    let surfaces = solids.surfaces;
     let count = surfaces.faces.len() + surfaces.balls.len();
+    let touched = AtomicBool::new(false);
     let first = (0..count).into_par_iter().find_map_first(|item| {
         let mut found = None;
-        tree.near(&bounds(surfaces, item), sheets[item], |other| {
-            // Each pair once.
-            if found.is_none() && other > item && sheets[other] != sheets[item] {
-                let skins = [skin(surfaces, item), skin(surfaces, other)];
-                let meets = || meet(surfaces, item, other);
-                found = (!may(skins[0], skins[1]))
-                    .then(meets)
-                    .flatten()
-                    .map(|(at, coincide)| Meeting { skins, at, coincide });
+        pairs(solids, item, together, |other| {
+            if found.is_some() {
+                return;
+            }
+            let skins = [skin(surfaces, item), skin(surfaces, other)];
+            if may(skins[0], skins[1]) {
+                return;
+            }
+            // Where two bodies have edges in common they may have the faces between them.
+            let apart = solids.sheets[item] != solids.sheets[other];
+            match meet(surfaces, item, other, together) {
+                Some(Contact::Cross(at)) => found = Some(Meeting { skins, at, coincide: false }),
+                Some(Contact::On { at, same_way }) if apart || same_way => {
+                    found = Some(Meeting { skins, at, coincide: true });
+                }
+                Some(Contact::On { .. }) | None => {}
+                Some(Contact::Touch(_)) => touched.store(true, Ordering::Relaxed),
             }
         });
         found
     });
-    first.or_else(|| walls(surfaces, may))
+    let hidden = || touched.into_inner().then(|| straddling::find(solids, may, together)).flatten();
+    first.or_else(|| walls(solids, may)).or_else(hidden)
+}
+
+/// The items that one may meet: each pair of them once.
+pub(super) fn pairs(solids: &Solids, item: Item, within: f64, mut found: impl FnMut(Item)) {
+    let piece = solids.pieces[item];
+    let Bounds { min, max } = bounds(solids.surfaces, item);
+    let around = Bounds { min: min - within, max: max + within };
+    solids.tree().near(&around, piece, |other| {
+        if other > item && solids.pieces[other] != piece {
+            found(other);
+        }
+    });
 }
 
 /// The skin of a face or a ball.
@@ -57,14 +81,14 @@ pub(super) fn skin(surfaces: &Surfaces, item: Item) -> u32 {
     }
 }
 
-/// Where two items meet, and whether they lie on each other there.
-fn meet(surfaces: &Surfaces, one: Item, other: Item) -> Option<(DVec3, bool)> {
+/// How two items meet.
+pub(super) fn meet(surfaces: &Surfaces, one: Item, other: Item, together: f64) -> Option<Contact> {
     let faces = surfaces.faces.len();
     match (one.checked_sub(faces), other.checked_sub(faces)) {
-        (None, None) => triangles(surfaces.corners(one), surfaces.corners(other)),
+        (None, None) => contact(surfaces.corners(one), surfaces.corners(other), together),
         (None, Some(ball)) => {
             let ball = surfaces.balls[ball];
-            pierced(ball.centre, ball.radius, surfaces.corners(one)).map(|at| (at, false))
+            pierced(ball.centre, ball.radius, surfaces.corners(one)).map(Contact::Cross)
         }
         (Some(one), Some(other)) => {
             let (one, other) = (surfaces.balls[one], surfaces.balls[other]);
@@ -72,8 +96,9 @@ fn meet(surfaces: &Surfaces, one: Item, other: Item) -> Option<(DVec3, bool)> {
             let (apart, sum) = (way.length(), one.radius + other.radius);
             let touch = TOUCH * sum;
             let difference = (one.radius - other.radius).abs();
-            if apart <= touch && difference <= touch {
-                return Some((one.centre + one.radius * DVec3::X, true));
+            if apart + difference <= touch.max(together) {
+                let at = one.centre + one.radius * DVec3::X;
+                return Some(Contact::On { at, same_way: true });
             }
             let crosses = apart < sum - touch && apart > difference + touch;
             // On the circle that they have in common.
@@ -82,10 +107,10 @@ fn meet(surfaces: &Surfaces, one: Item, other: Item) -> Option<(DVec3, bool)> {
                     (apart * apart + one.radius.powi(2) - other.radius.powi(2)) / (2.0 * apart);
                 let up = (one.radius.powi(2) - along * along).max(0.0).sqrt();
                 let way = way / apart;
-                (one.centre + along * way + up * way.any_orthonormal_vector(), false)
+                Contact::Cross(one.centre + along * way + up * way.any_orthonormal_vector())
             })
         }
-        (Some(_), None) => meet(surfaces, other, one),
+        (Some(_), None) => meet(surfaces, other, one, together),
     }
 }
 
@@ -100,7 +125,7 @@ fn pierced(centre: DVec3, radius: f64, corners: [DVec3; 3]) -> Option<DVec3> {
 }
 
 /// The point of a triangle that is nearest to another point [Ericson05, 5.1.5].
-fn nearest(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
+pub(super) fn nearest(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
     let (ab, ac) = (b - a, c - a);
     let normal = ab.cross(ac);
     let flat = p - normal * (normal.dot(p - a) / normal.length_squared());
@@ -117,39 +142,9 @@ fn nearest(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
     all[0]
 }
 
-/// Where two triangles meet, if they cross or lie on each other; not if they touch.
-fn triangles(one: [DVec3; 3], other: [DVec3; 3]) -> Option<(DVec3, bool)> {
-    let size = Bounds::around(one).size().min(Bounds::around(other).size());
-    let touch = TOUCH * size;
-    for (edges, face) in [(one, other), (other, one)] {
-        for i in 0..3 {
-            if let Some(at) = through(edges[i], edges[(i + 1) % 3], face, touch) {
-                return Some((at, false));
-            }
-        }
-    }
-    let flat = |corners: [DVec3; 3]| Flat::face(corners.to_vec());
-    let (a, b) = (flat(one)?, flat(other)?);
-    a.overlaps(&b).then(|| ((one[0] + one[1] + one[2]) / 3.0, true))
-}
-
-/// Where an edge goes through the middle of a triangle, and not only touches it.
-fn through(from: DVec3, to: DVec3, [a, b, c]: [DVec3; 3], touch: f64) -> Option<DVec3> {
-    let normal = (b - a).cross(c - a).try_normalize()?;
-    let (above, below) = (normal.dot(from - a), normal.dot(to - a));
-    if above.abs() <= touch || below.abs() <= touch || (above > 0.0) == (below > 0.0) {
-        return None;
-    }
-    let at = from + (to - from) * (above / (above - below));
-    let inside = [(a, b), (b, c), (c, a)].into_iter().all(|(from, to)| {
-        let side = to - from;
-        normal.dot(side.cross(at - from)) > touch * side.length()
-    });
-    inside.then_some(at)
-}
-
 /// The same with planes.
-fn walls(surfaces: &Surfaces, may: &(dyn Fn(u32, u32) -> bool + Sync)) -> Option<Meeting> {
+fn walls(solids: &Solids, may: &(dyn Fn(u32, u32) -> bool + Sync)) -> Option<Meeting> {
+    let surfaces = solids.surfaces;
     for (i, wall) in surfaces.walls.iter().enumerate() {
         for other in &surfaces.walls[..i] {
             let apart = wall.normal.dot(other.point - wall.point).abs();
@@ -161,7 +156,7 @@ fn walls(surfaces: &Surfaces, may: &(dyn Fn(u32, u32) -> bool + Sync)) -> Option
                 return Some(Meeting { skins, at: wall.point, coincide });
             }
         }
-        if let Some((item, at)) = cut(surfaces, wall, may) {
+        if let Some((item, at)) = cut(solids, wall, may) {
             let skins = [skin(surfaces, item), wall.skin];
             return Some(Meeting { skins, at, coincide: false });
         }
@@ -171,10 +166,11 @@ fn walls(surfaces: &Surfaces, may: &(dyn Fn(u32, u32) -> bool + Sync)) -> Option
 
 /// A ball or a face that a plane cuts.
 fn cut(
-    surfaces: &Surfaces,
+    solids: &Solids,
     wall: &Wall,
     may: &(dyn Fn(u32, u32) -> bool + Sync),
 ) -> Option<(Item, DVec3)> {
+    let surfaces = solids.surfaces;
     let height = |p: DVec3| wall.normal.dot(p - wall.point);
     let balls = surfaces.balls.iter().enumerate().find_map(|(i, ball)| {
         let off = height(ball.centre);
@@ -182,13 +178,19 @@ fn cut(
         cuts.then(|| (surfaces.faces.len() + i, ball.centre - off * wall.normal))
     });
     balls.or_else(|| {
-        (0..surfaces.faces.len()).into_par_iter().find_map_first(|face| {
+        // Whether each piece goes above the plane, and below it.
+        let mut reach: HashMap<u32, [bool; 2]> = HashMap::new();
+        (0..surfaces.faces.len()).find_map(|face| {
+            if may(surfaces.faces[face].skin, wall.skin) {
+                return None;
+            }
             let corners = surfaces.corners(face);
             let heights = corners.map(height);
             let touch = TOUCH * Bounds::around(corners).size();
-            let cuts = heights.iter().any(|h| *h > touch) && heights.iter().any(|h| *h < -touch);
-            let cuts = cuts && !may(surfaces.faces[face].skin, wall.skin);
-            cuts.then(|| (face, (corners[0] + corners[1] + corners[2]) / 3.0))
+            let [above, below] = reach.entry(solids.pieces[face]).or_default();
+            *above |= heights.iter().any(|h| *h > touch);
+            *below |= heights.iter().any(|h| *h < -touch);
+            (*above && *below).then(|| (face, (corners[0] + corners[1] + corners[2]) / 3.0))
         })
     })
 }

@@ -11,8 +11,6 @@ const ROUND: usize = 32;
 /// Surfaces nearer to each other than this part of their size are in one plane: single precision
 /// can hardly tell them apart.
 const TOGETHER: f64 = 1e-7;
-/// Directions whose sine is less are the same.
-const PARALLEL: f64 = 1e-6;
 /// An overlap of less than this part of the smaller surface is rounding along a common edge.
 const LEAST: f64 = 1e-5;
 
@@ -27,6 +25,9 @@ pub struct Flat {
 }
 
 impl Flat {
+    /// Directions whose sine is less are the same.
+    pub(super) const PARALLEL: f64 = 1e-6;
+
     /// None if the thing is not flat.
     pub fn of(thing: &Placed) -> Option<Self> {
         match &thing.body {
@@ -61,7 +62,12 @@ impl Flat {
 
     /// Whether both have some part in common.
     pub fn overlaps(&self, other: &Self) -> bool {
-        if self.normal.cross(other.normal).length() > PARALLEL {
+        self.overlaps_within(other, 0.0)
+    }
+
+    /// The same; nearer to each other than `together`, in metres, they are in one plane.
+    pub fn overlaps_within(&self, other: &Self, together: f64) -> bool {
+        if self.normal.cross(other.normal).length() > Self::PARALLEL {
             return false;
         }
         // Two planes are measured by where their points are.
@@ -70,7 +76,7 @@ impl Flat {
             size => size,
         };
         let apart = (other.point - self.point).dot(self.normal).abs();
-        if apart > TOGETHER * size {
+        if apart > together.max(TOGETHER * size) {
             return false;
         }
         if self.corners.is_empty() || other.corners.is_empty() {

@@ -16,7 +16,11 @@ use super::surfaces::{Media, SURROUNDINGS, Skin, Surfaces};
 use super::yields::Yields;
 use crate::diag::Diagnostic;
 use crate::load::Stage;
+use crate::math::Bounds;
 use crate::scene::{At, Medium, Named};
+
+/// Part of half the size of a scene that rounding takes: five steps of single precision below 1.
+const TOGETHER: f64 = 5.0 / (1 << 24) as f64;
 
 /// Media, and where they are.
 pub struct Matter<'a> {
@@ -91,14 +95,15 @@ impl<'a> Matter<'a> {
             let [one, other] = [one, other].map(|skin| surfaces.skins[skin as usize].object);
             one != other && yields.are_related(one, other)
         };
-        if solids.could_meet()
-            && let Some(meeting) = crossing::find(&surfaces, solids.tree(), &solids.sheets, &may)
+        let together = together(placed);
+        if solids.could_meet(together)
+            && let Some(meeting) = crossing::find(&solids, &may, together)
         {
             let names = meeting.skins.map(|skin| {
                 let skin = &surfaces.skins[skin as usize];
                 (surfaces.owner(skin).name(), medium_name(&matter.media, skin.inside))
             });
-            found.push(errors::meeting(names, meeting.at, meeting.coincide));
+            found.push(errors::meeting(names, meeting.at, meeting.coincide.then_some(together)));
             return matter;
         }
         if let Some(solid) = solids.inside_out() {
@@ -322,6 +327,13 @@ impl Before {
             };
         }
     }
+}
+
+/// Surfaces nearer to each other, in metres, lie on each other: rays are of single precision, in
+/// which the objects fill about [-1, 1], and end in rounding before they tell them apart.
+fn together(placed: &[Placed]) -> f64 {
+    let all = placed.iter().map(Placed::bounds).fold(Bounds::EMPTY, Bounds::union);
+    if all.is_empty() { 0.0 } else { TOGETHER * all.half().max_element() }
 }
 
 fn medium_name<'m>(media: &[Option<&'m Named<Medium>>], number: u32) -> &'m str {

@@ -19,8 +19,10 @@ mod overlaps;
 mod placed;
 mod seams;
 mod solids;
+mod straddling;
 mod surfaces;
 mod tree;
+mod triangles;
 mod view;
 mod yields;
 

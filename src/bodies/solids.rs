@@ -28,12 +28,14 @@ pub(super) struct Solid {
 
 /// All closed surfaces.
 pub(super) struct Solids<'s> {
-    surfaces: &'s Surfaces<'s>,
+    pub surfaces: &'s Surfaces<'s>,
     pub all: Vec<Solid>,
     /// Of each side of a face and of a ball, if it has a medium: which it belongs to.
     of_side: Vec<u32>,
-    /// Of each face and ball.
+    /// Of each face and ball: those that hang together have the same.
     pub sheets: Vec<u32>,
+    /// The same, of one object.
+    pub pieces: Vec<u32>,
     tree: OnceLock<Tree>,
     layers: Layers,
     yields: &'s Yields,
@@ -66,12 +68,19 @@ impl<'s> Solids<'s> {
             all: Vec::new(),
             of_side: vec![NONE; 2 * (faces + balls)],
             sheets: (0..faces).map(|face| seams.sheets.least(face) as u32).collect(),
+            pieces: Vec::new(),
             tree: OnceLock::new(),
             layers: Layers::of(surfaces),
             yields,
             owners: Vec::new(),
         };
         solids.sheets.extend((faces..faces + balls).map(|item| item as u32));
+        let mut pieces: HashMap<(u32, u32), u32> = HashMap::new();
+        let piece = |(item, sheet): (usize, &u32)| {
+            let skin = surfaces.skins[crossing::skin(surfaces, item) as usize];
+            *pieces.entry((*sheet, skin.object)).or_insert(item as u32)
+        };
+        solids.pieces = solids.sheets.iter().enumerate().map(piece).collect();
         let mut known: HashMap<usize, u32> = HashMap::new();
         for face in 0..faces {
             let skin = surfaces.skin(face);
@@ -139,6 +148,19 @@ impl<'s> Solids<'s> {
         self.owners.get(solid as usize).map_or(&[], Vec::as_slice)
     }
 
+    /// The solids behind a face or a ball, and before it.
+    pub fn sides(&self, item: Item) -> [Option<u32>; 2] {
+        [false, true]
+            .map(|before| self.of_side[side(item, before)])
+            .map(|it| (it != NONE).then_some(it))
+    }
+
+    /// How often a solid goes round a point that lies on no surface.
+    pub fn goes_round(&self, solid: u32, at: DVec3) -> i32 {
+        let turns = self.turns(at, None);
+        turns.iter().find(|(number, _)| *number == solid).map_or(0, |(_, turns)| *turns)
+    }
+
     /// Whether one solid ends where another begins.
     pub fn yields(&self, one: u32, to: u32) -> bool {
         let ends = |o: &u32| self.owners(to).iter().any(|t| self.yields.yields(*o, *t));
@@ -161,7 +183,7 @@ impl<'s> Solids<'s> {
 
     /// The tree over all surfaces.
     pub fn tree(&self) -> &Tree {
-        self.tree.get_or_init(|| Tree::new(self.surfaces, &self.sheets))
+        self.tree.get_or_init(|| Tree::new(self.surfaces, &self.pieces))
     }
 
     /// How solids go round a point; those of the item's own sides are left out, and the item.
@@ -287,17 +309,18 @@ impl<'s> Solids<'s> {
         inward.find(|(_, within)| self.before(*within).1 <= 0).map(|(solid, _)| solid)
     }
 
-    /// Whether any two sheets are near enough to each other to meet, or to a plane.
-    pub fn could_meet(&self) -> bool {
+    /// Whether any two pieces are nearer than `within`, in metres, to each other, or to a plane.
+    pub fn could_meet(&self, within: f64) -> bool {
         let mut around: HashMap<u32, Bounds> = HashMap::new();
-        for (item, sheet) in self.sheets.iter().enumerate() {
-            let known = around.entry(*sheet).or_insert(Bounds::EMPTY);
+        for (item, piece) in self.pieces.iter().enumerate() {
+            let known = around.entry(*piece).or_insert(Bounds::EMPTY);
             *known = known.union(tree::bounds(self.surfaces, item));
         }
         if !self.surfaces.walls.is_empty() {
             return around.len() + self.surfaces.walls.len() > 1;
         }
-        let mut boxes: Vec<Bounds> = around.into_values().collect();
+        let wider = |it: Bounds| Bounds { min: it.min - within, max: it.max + within };
+        let mut boxes: Vec<Bounds> = around.into_values().map(wider).collect();
         boxes.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
         boxes.iter().enumerate().any(|(i, one)| {
             let near = boxes[i + 1..].iter().take_while(|other| other.min.x <= one.max.x);

@@ -57,15 +57,16 @@ pub fn turned(medium: &str, objects: &[&At<String>], edges: usize, at: DVec3) ->
         .help("let the program that made the mesh turn its faces outward, all of them")
 }
 
-/// Bodies, by object and medium, that are both at one place.
+/// Bodies, by object and medium, that are both at one place; nearer than `together`, in metres,
+/// surfaces lie on each other, without it they cross.
 pub fn meeting(
     [(one, inside), (other, _)]: [(&At<String>, &str); 2],
     at: DVec3,
-    coincide: bool,
+    together: Option<f64>,
 ) -> Diagnostic {
-    let (code, what) = match coincide {
-        true => (Code::MATTER_COINCIDE, "lie on each other"),
-        false => (Code::MATTER_CROSS, "cross"),
+    let (code, what) = match together {
+        Some(_) => (Code::MATTER_COINCIDE, "lie on each other"),
+        None => (Code::MATTER_CROSS, "cross"),
     };
     if one.span == other.span {
         let headline = format!("two bodies of `{}` {what}", **one);
@@ -78,15 +79,19 @@ pub fn meeting(
     let fault = Diagnostic::error(code, headline)
         .label(one.span, format!("meets the other near {}", place(at)))
         .label(other.span, "the other");
-    match coincide {
-        true => fault
-            .why("Of two surfaces at one place, rounding would decide which one a ray meets.")
+    match together {
+        Some(together) => fault
+            .why(format!(
+                "Of surfaces nearer to each other than {}, in a scene of this size, rounding would \
+                 decide which one a ray meets.",
+                length(together, Round::Up)
+            ))
             .help(format!(
                 "where two bodies touch let there be one surface that names both media, such as \
                  `dielectric {{ inside: {inside}, outside: … }}`; or let one of them reach clearly \
                  into the other, and say `yields_to`"
             )),
-        false => fault
+        None => fault
             .why("Bodies are apart, or one is inside of the other. Where they overlap, either could be meant.")
             .help(format!(
                 "move them apart; or say which one ends where the other begins: `yields_to: {}` in \
