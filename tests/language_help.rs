@@ -35,6 +35,15 @@ fn what_is_offered_can_be_what_was_meant() {
         ("light a: constant { radiance: 500 lx }", "in W/m^2/sr"),
         ("light a: constant { radiance: blackbody(5500 C) * 1 }", "in `K`"),
         ("let t = 80 F", "in `K`"),
+        (
+            "medium oil: homogeneous { ior: 1.5 }\nmedium air: homogeneous { ior: 1 }\n\
+             material a: dielectric { inside: water2 }",
+            "the media declared: `air` and `oil`",
+        ),
+        (
+            "object a: sphere { center: (0, 0, 0), radius: 1 m, material: diffuse { albedo: 0 }, yields_to: 5 }",
+            "the name of an object",
+        ),
     ] {
         let told = only(text);
         assert!(told.contains(offered), "{text}: {offered}\n{told}");

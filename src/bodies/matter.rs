@@ -202,14 +202,30 @@ impl<'a> Matter<'a> {
             found.push(match open.as_slice() {
                 [] => {
                     let (objects, at) = whose(surfaces, &turned);
-                    errors::turned(name, &objects, turned.len(), at)
+                    let skins = Open::skins(&turned, surfaces);
+                    let both = skins.iter().find(|skin| skin.outside.is_some());
+                    let swap = both.map(|skin| surfaces.material(skin).name.as_str());
+                    errors::turned(name, &objects, turned.len(), at, swap)
                 }
                 open => {
                     let (objects, at) = whose(surfaces, open);
-                    let gap = Reach::of(surfaces, open).gap(open);
-                    match gap {
+                    let within = open.iter().all(|edge| edge.faces > 2);
+                    match Reach::of(surfaces, open).gap(open) {
+                        _ if within => {
+                            errors::wall_within(name, &objects, (open[0].faces, open.len()), at)
+                        }
                         Some(width) => errors::gap(name, &objects, width, at),
-                        None => errors::open(name, &objects, open.len(), at),
+                        None => {
+                            let skins = Open::skins(open, surfaces);
+                            let wall = skins
+                                .iter()
+                                .find(|skin| skin.inside != *medium && skin.outside.is_none());
+                            let wall = wall.map(|skin| {
+                                let inside = medium_name(&self.media, skin.inside);
+                                (surfaces.material(skin).name.as_str(), inside)
+                            });
+                            errors::open(name, &objects, open.len(), at, wall)
+                        }
                     }
                 }
             });

@@ -1,10 +1,12 @@
 //! Edges at which faces meet: whether the surface around each medium is closed, and which faces
 //! hang together.
 
+use std::collections::HashSet;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::surfaces::Surfaces;
+use super::surfaces::{Face, Skin, Surfaces};
 
 /// An edge of a face, of one of the media on its sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -30,6 +32,8 @@ pub(super) struct Open {
     pub to: u32,
     pub medium: u32,
     pub face: u32,
+    /// How many faces of the medium meet there.
+    pub faces: u32,
 }
 
 /// What was found along all edges.
@@ -90,7 +94,8 @@ impl Seams {
         }
         let (low, high) = first.ends;
         let (from, to) = if along > back { (low, high) } else { (high, low) };
-        let open = Open { from, to, medium: first.medium, face: first.side / 2 };
+        let faces = group.len() as u32;
+        let open = Open { from, to, medium: first.medium, face: first.side / 2, faces };
         match group.len().is_multiple_of(2) {
             true => self.turned.push(open),
             false => self.open.extend(std::iter::repeat_n(open, along.abs_diff(back))),
@@ -149,6 +154,21 @@ impl Sets {
 }
 
 impl Open {
+    /// The skins of all faces at some edges, each once.
+    pub fn skins<'s>(edges: &[Self], surfaces: &'s Surfaces) -> Vec<&'s Skin> {
+        let ends: HashSet<(u32, u32)> =
+            edges.iter().map(|edge| (edge.from.min(edge.to), edge.from.max(edge.to))).collect();
+        let meets = |face: &Face| {
+            let [a, b, c] = face.corners;
+            [(a, b), (b, c), (c, a)].iter().any(|(p, q)| ends.contains(&(*p.min(q), *p.max(q))))
+        };
+        let mut skins: Vec<u32> =
+            surfaces.faces.iter().filter(|face| meets(face)).map(|face| face.skin).collect();
+        skins.sort_unstable();
+        skins.dedup();
+        skins.iter().map(|skin| &surfaces.skins[*skin as usize]).collect()
+    }
+
     /// Its middle.
     pub fn place(&self, points: &[DVec3]) -> DVec3 {
         0.5 * (points[self.from as usize] + points[self.to as usize])

@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::placed::{Body, Placed};
 use crate::load::Stage;
 use crate::math::Bounds;
-use crate::scene::{Medium, Named, Ref};
+use crate::scene::{Material, Medium, Named, Ref};
 
 /// The number of what surrounds everything.
 pub const SURROUNDINGS: u32 = 0;
@@ -212,6 +212,11 @@ impl<'a> Surfaces<'a> {
 
     pub fn skin(&self, face: usize) -> &Skin {
         &self.skins[self.faces[face].skin as usize]
+    }
+
+    /// The material of a skin.
+    pub fn material(&self, skin: &Skin) -> &'a Named<Material> {
+        self.owner(skin).materials[skin.slot as usize]
     }
 
     /// The object that a skin belongs to.

@@ -108,10 +108,11 @@ pub fn main() -> ExitCode {
     said(end).into()
 }
 
-/// What was asked for goes to stdout: if it did not get there, the work is not done.
+/// What was asked for goes to stdout: if it did not get there, the work is not done, whatever was
+/// found.
 fn said(end: End) -> End {
     match terminal::lost() {
-        Some(why) if end == End::Well => {
+        Some(why) if matches!(end, End::Well | End::SceneErrors | End::Held) => {
             terminal::fail(&format!("the output could not be written: {why}"));
             End::NotDone
         }

@@ -130,6 +130,7 @@ fn circles(ev: &Evaluator, items: &[Item]) -> bool {
             .map(|(i, (kind, name, _))| ((*kind, &*name.value), i))
             .collect(),
         known: vec![Known::Nothing; items.len()],
+        chain: Vec::new(),
         good: true,
     };
     (0..items.len()).for_each(|i| walk.look(i, 1));
@@ -152,6 +153,8 @@ struct Walk<'a> {
     items: &'a [Item],
     index: HashMap<(&'static str, &'a str), usize>,
     known: Vec<Known>,
+    /// What is being looked into, and where the last of it is named.
+    chain: Vec<(usize, Span)>,
     good: bool,
 }
 
@@ -166,10 +169,10 @@ impl Walk<'_> {
         let mut longest = 1;
         for ((kind, name), span) in names {
             let Some(next) = self.index.get(&(kind, name)).copied() else { continue };
+            self.chain.push((next, span));
             match self.known[next] {
                 Known::Open => {
-                    let word = Word { text: Arc::from(name), span };
-                    self.ev.reports.tell(names::circle_of(kind, &word));
+                    self.ev.reports.tell(names::circle_of(kind, &self.ring()));
                     self.good = false;
                 }
                 Known::Nothing if depth < limits::DEPTH => self.look(next, depth + 1),
@@ -181,11 +184,24 @@ impl Walk<'_> {
                 }
                 _ => {}
             }
+            self.chain.pop();
             if let Known::Chain(length) = self.known[next] {
                 longest = longest.max(length + 1);
             }
         }
         self.known[at] = Known::Chain(longest);
+    }
+
+    /// The names in the ring that the last name closes, each where another of the ring names it.
+    fn ring(&self) -> Vec<Word> {
+        let last = self.chain.last().map(|(at, _)| *at);
+        let earlier = self.chain.iter().rev().skip(1).take_while(|(at, _)| Some(*at) != last);
+        let start = self.chain.len() - 1 - earlier.count();
+        let word = |(at, span): &(usize, Span)| Word {
+            text: Arc::from(self.items[*at].1.value.as_str()),
+            span: *span,
+        };
+        self.chain[start..].iter().map(word).collect()
     }
 }
 

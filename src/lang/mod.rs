@@ -40,6 +40,7 @@ use crate::scene::{At, KINDS, Scene, elsewhere};
 pub use comments::comments;
 use data_file::DataFiles;
 use difference::Composer;
+pub use errors::with_article;
 use eval::{Evaluator, FileFacts};
 use resolve::{Plan, TOP};
 

@@ -23,11 +23,11 @@ pub(super) fn prepare(
         if said.ior.absorbs() && !said.absorption.0.is_zero() {
             found.push(errors::absorbs_twice(&named.name, said.ior.span, said.absorption.span));
         } else if integrator.follows_light() && said.ior.absorbs() {
-            found.push(errors::not_followed(&named.name, said.ior.span, "absorbs"));
+            found.push(errors::not_followed(&named.name, said.ior.span, "absorbs", true));
         } else if integrator.follows_light() && said.scatters() {
-            found.push(errors::not_followed(&named.name, said.scattering.span, "scatters"));
+            found.push(errors::not_followed(&named.name, said.scattering.span, "scatters", false));
         } else if integrator.follows_light() && said.absorbs() {
-            found.push(errors::not_followed(&named.name, said.absorption.span, "absorbs"));
+            found.push(errors::not_followed(&named.name, said.absorption.span, "absorbs", false));
         }
         // Where a world unit is so many metres light is lost that much more often.
         let metres = 1.0 / space.length(1.0);

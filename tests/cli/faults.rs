@@ -192,9 +192,15 @@ fn a_file_that_only_defines_things_has_no_picture() {
 #[test]
 fn what_was_asked_for_and_could_not_be_written_is_not_done() {
     let bench = Bench::new();
-    for arguments in
-        ["lint ball.scn --format json", "list", "explain", "--help", "render ball.scn --log json"]
-    {
+    bench.put("bad.scn", "scn 1 in m\nfilm.size: (0, 0)\n");
+    for arguments in [
+        "lint ball.scn --format json",
+        "lint bad.scn",
+        "list",
+        "explain",
+        "--help",
+        "render ball.scn --log json",
+    ] {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
         let run = bench.command(arguments).stdout(full).output().unwrap();
         assert_eq!(run.status.code(), Some(2), "{arguments}");

@@ -17,19 +17,53 @@ pub fn disk(name: &At<String>) -> Diagnostic {
         .help("use a closed mesh, or a `sphere`; a disk may be of any opaque material")
 }
 
-/// A surface around a medium that is open at `edges` edges, the first of them at a place.
-pub fn open(medium: &str, objects: &[&At<String>], edges: usize, at: DVec3) -> Diagnostic {
+/// A surface around a medium that is open at `edges` edges, the first of them at a place. `wall`:
+/// a material at these edges that does not name the medium, and what is inside of it.
+pub fn open(
+    medium: &str,
+    objects: &[&At<String>],
+    edges: usize,
+    at: DVec3,
+    wall: Option<(&str, &str)>,
+) -> Diagnostic {
     let headline = format!("the surface around `{medium}` is open");
     let label = match edges {
         1 => format!("does not go on at an edge near {}", place(at)),
         _ => format!("does not go on at {edges} edges, the first near {}", place(at)),
     };
-    labelled(Diagnostic::error(Code::MATTER_OPEN, headline), objects, label).why(CLOSED).help(
-        format!(
+    let help = match wall {
+        Some((name, inside)) => format!(
+            "where `{name}` is the wall that holds it, let that name both, by its front: `dielectric \
+             {{ inside: {inside}, outside: {medium} }}`; else close its holes in the program that \
+             made it"
+        ),
+        None => format!(
             "close its holes in the program that made it; or give what closes it the same medium, \
              `dielectric {{ inside: {medium} }}`. A pane is a box with six sides"
         ),
-    )
+    };
+    labelled(Diagnostic::error(Code::MATTER_OPEN, headline), objects, label).why(CLOSED).help(help)
+}
+
+/// Faces that end at others, where the surface around a medium goes on already: at the first of
+/// `edges` edges so many `faces` meet.
+pub fn wall_within(
+    medium: &str,
+    objects: &[&At<String>],
+    (faces, edges): (u32, usize),
+    at: DVec3,
+) -> Diagnostic {
+    let headline = format!("the surface around `{medium}` has a wall within it");
+    let label = match edges {
+        1 => format!("{faces} of its faces meet at an edge near {}", place(at)),
+        _ => format!("{faces} of its faces meet at an edge near {}, and so at {edges}", place(at)),
+    };
+    labelled(Diagnostic::error(Code::MATTER_OPEN, headline), objects, label)
+        .why("A closed surface goes over each of its edges from one face to one other: what is odd there has the medium on neither side, or on both.")
+        .help(
+            "in the program that made it take away the faces within, such as the one at which two \
+             parts touch; triangles that repeat earlier ones are left out already",
+        )
 }
 
 /// Two parts of a surface with a gap between them, `width` metres wide.
@@ -45,8 +79,15 @@ pub fn gap(medium: &str, objects: &[&At<String>], width: f64, at: DVec3) -> Diag
     )
 }
 
-/// Faces side by side of which one looks outward and one inward.
-pub fn turned(medium: &str, objects: &[&At<String>], edges: usize, at: DVec3) -> Diagnostic {
+/// Faces side by side of which one looks outward and one inward. `swap`: a material there that names
+/// both media.
+pub fn turned(
+    medium: &str,
+    objects: &[&At<String>],
+    edges: usize,
+    at: DVec3,
+    swap: Option<&str>,
+) -> Diagnostic {
     let headline = format!("faces around `{medium}` look different ways");
     let label = match edges {
         1 => format!("on the two sides of an edge near {}", place(at)),
@@ -54,7 +95,13 @@ pub fn turned(medium: &str, objects: &[&At<String>], edges: usize, at: DVec3) ->
     };
     labelled(Diagnostic::error(Code::MATTER_TURNED, headline), objects, label)
         .why("A medium is behind faces, from whose front their corners are counter-clockwise. Here some have it on the other side.")
-        .help("let the program that made the mesh turn its faces outward, all of them")
+        .help(match swap {
+            Some(material) => format!(
+                "let the program that made the mesh turn its faces outward, all of them; or swap \
+                 `inside` and `outside` of `{material}`"
+            ),
+            None => "let the program that made the mesh turn its faces outward, all of them".to_string(),
+        })
 }
 
 /// Bodies, by object and medium, that are both at one place; nearer than `together`, in metres,

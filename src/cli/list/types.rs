@@ -2,6 +2,7 @@
 
 use super::{FIELD_MARGIN, block, flow, strong};
 use crate::diag::print::Look;
+use crate::lang::with_article;
 use crate::math::units::Dimension;
 use crate::scene::schema::{Bound, Field, Range, Type};
 
@@ -71,8 +72,10 @@ pub fn form(ty: Type) -> String {
         Type::Record(_) => "fields in braces".to_string(),
         Type::List(inner) => format!("list [ … ] of {}", form(*inner)),
         Type::Map(inner) => format!("record {{ NAME: …, … }}, each {}", form(*inner)),
-        Type::Reference { kind, target: None } => format!("the name of a {kind}"),
-        Type::Reference { kind, .. } => format!("the name of a {kind}, or a {kind} itself"),
+        Type::Reference { kind, target: None } => format!("the name of {}", with_article(kind)),
+        Type::Reference { kind, .. } => {
+            format!("the name of {0}, or {0} itself", with_article(kind))
+        }
     }
 }
 

@@ -67,6 +67,14 @@ pub fn with_article(noun: &str) -> String {
     format!("{} {noun}", if vowel { "an" } else { "a" })
 }
 
+/// Several of a kind of declaration.
+pub fn plural(kind: &str) -> String {
+    match kind {
+        "medium" => "media".to_string(),
+        _ => format!("{kind}s"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -87,5 +95,6 @@ mod tests {
         assert_eq!(listed(["a", "b", "c"], "or"), "`a`, `b` or `c`");
         assert_eq!(listed(["a"], "or"), "`a`");
         assert_eq!(with_article("angle"), "an angle");
+        assert_eq!([plural("medium"), plural("light")], ["media", "lights"]);
     }
 }

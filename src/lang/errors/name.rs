@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{listed, nearest, with_article};
+use super::{listed, nearest, plural, with_article};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::ast::Word;
 use crate::math::units;
@@ -321,7 +321,7 @@ pub fn no_value_nor(kind: &str, found: &str, span: Span, declared: &[&str]) -> D
     let headline = format!("nothing is called `{found}` here");
     let told = Diagnostic::error(Code::NAME_UNKNOWN_NAME, headline)
         .label(span, format!("no {kind} and no value has this name"));
-    offer(told, found, span, declared, &format!("the {kind}s declared are"))
+    offer(told, found, span, declared, &format!("the {} declared are", plural(kind)))
 }
 
 /// A declaration that does not exist in a render. `shape`: how one may look; `made`: what of its
@@ -346,9 +346,13 @@ pub fn unknown_declaration(
     }
     let told = match near.is_empty() {
         false => told,
-        true => told.why(format!("A {kind} is declared by `{kind} {}: …`.", word.text)),
+        true => told.why(format!(
+            "{} is declared by `{kind} {}: …`.",
+            capital(&with_article(kind)),
+            word.text
+        )),
     };
-    offer(told, &word.text, word.span, declared, &format!("the {kind}s declared are"))
+    offer(told, &word.text, word.span, declared, &format!("the {} declared are", plural(kind)))
 }
 
 /// A value where the name of a declaration belongs, or one in its place. `made`: what of its kind
@@ -361,8 +365,8 @@ pub fn no_declaration(
     span: Span,
 ) -> Diagnostic {
     let expected = match or_itself {
-        true => format!("the name of a {kind}, or a {kind}"),
-        false => format!("the name of a {kind}"),
+        true => format!("the name of {0}, or {0}", with_article(kind)),
+        false => format!("the name of {}", with_article(kind)),
     };
     let told = super::types::mismatch(place, &expected, found, span);
     if made.is_empty() {
@@ -389,7 +393,7 @@ pub fn unknown_target(
     }
     match declared {
         [] => told.help(format!("state it first: `{kind} {name}: …`")),
-        _ => offer(told, name, span, declared, &format!("the {kind}s stated are")),
+        _ => offer(told, name, span, declared, &format!("the {} stated are", plural(kind))),
     }
 }
 
@@ -436,12 +440,38 @@ pub fn circle(words: &[Word]) -> Diagnostic {
     told.help("define one of them without the others")
 }
 
-/// A declaration that is referred to by what it is made of.
-pub fn circle_of(kind: &str, word: &Word) -> Diagnostic {
-    let headline = format!("{kind} `{}` is made of itself", word.text);
-    Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, headline)
-        .label(word.span, format!("leads back to the {kind} it is a part of"))
-        .help(format!("name a {kind} that is made of others"))
+/// Declarations that refer to each other in a ring, each by the word that names the next one.
+pub fn circle_of(kind: &str, ring: &[Word]) -> Diagnostic {
+    let mut names: Vec<_> = ring.iter().map(|word| &*word.text).collect();
+    names.rotate_right(1);
+    let all = listed(names.iter().copied(), "and");
+    let yields = kind == "object";
+    let headline = match (yields, names.len()) {
+        (true, 1) => format!("the object {all} yields to itself"),
+        (true, 2) => format!("the objects {all} yield to each other"),
+        (true, _) => format!("the objects {all} yield to each other in a circle"),
+        (false, 1) => format!("the {kind} {all} is made of itself"),
+        (false, _) => format!("the {} {all} are made of each other", plural(kind)),
+    };
+    let told = ring.iter().zip(&names).fold(
+        Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, headline),
+        |told, (word, of)| match yields {
+            true => told.label(word.span, format!("`{of}` yields to `{}`", word.text)),
+            false => told.label(word.span, format!("`{of}` is made of `{}`", word.text)),
+        },
+    );
+    match (yields, names.len()) {
+        (true, 1) => told
+            .why("An object that yields ends where another one begins.")
+            .help("leave `yields_to` out, or name another object"),
+        (true, _) => told
+            .why("An object that yields ends where another one begins: of two only one can.")
+            .help(format!("leave `yields_to` out of one of them: {}", listed(names, "or"))),
+        (false, 1) => told.help(format!("name another {kind}")),
+        (false, _) => {
+            told.help(format!("make one of them without the others: {}", listed(names, "or")))
+        }
+    }
 }
 
 /// A declaration that names itself.

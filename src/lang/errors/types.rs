@@ -1,6 +1,6 @@
 //! `type/…`: a value that its place cannot take.
 
-use super::{listed, with_article};
+use super::{listed, plural, with_article};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::ast::Word;
 use crate::lang::limits;
@@ -207,10 +207,13 @@ pub fn too_deep(span: Span) -> Diagnostic {
 
 /// A chain of declarations, each made of the next, that is longer than the limit.
 pub fn long_chain(kind: &str, span: Span) -> Diagnostic {
-    let headline = format!("more than {} {kind}s are made of each other in a row", limits::DEPTH);
-    Diagnostic::error(Code::TYPE_TOO_DEEP, headline)
-        .label(span, "one too many")
-        .help(format!("make the {kind} of fewer others"))
+    let (verb, help) = match kind {
+        "object" => ("yield to", "let fewer objects yield".to_string()),
+        _ => ("are made of", format!("make the {kind} of fewer others")),
+    };
+    let (most, several) = (limits::DEPTH, plural(kind));
+    let headline = format!("more than {most} {several} {verb} each other in a row");
+    Diagnostic::error(Code::TYPE_TOO_DEEP, headline).label(span, "one too many").help(help)
 }
 
 /// A function without arguments in parentheses.

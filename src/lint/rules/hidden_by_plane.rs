@@ -1,4 +1,4 @@
-//! An object wholly behind a plane without end, seen from the camera: under the floor.
+//! An object wholly behind an opaque plane without end, seen from the camera: under the floor.
 
 use glam::DVec3;
 
@@ -16,6 +16,10 @@ pub(in crate::lint) fn look(shot: &Shot, found: &mut Vec<Diagnostic>) {
     let bounded: Vec<_> = boxes.iter().filter(|(_, bounds)| !bounds.is_empty()).collect();
     for plane in &shot.things {
         let Body::Plane { point, normal, .. } = plane.body else { continue };
+        // Through glass and water, and what has some of them mixed in, the other side is seen.
+        if plane.transmits() {
+            continue;
+        }
         let side = (eye - point).dot(normal).signum();
         let hidden = |bounds: &Bounds| {
             let most = ROUNDING * bounds.size();

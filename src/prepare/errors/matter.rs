@@ -3,13 +3,17 @@
 use crate::diag::{Code, Diagnostic, Span};
 use crate::scene::At;
 
-/// A medium in which something happens to light that no integrator follows.
-pub fn not_followed(medium: &At<String>, at: Span, does: &str) -> Diagnostic {
+/// A medium in which something happens to light that no integrator follows; `index`: it is said by
+/// an index with an imaginary part.
+pub fn not_followed(medium: &At<String>, at: Span, does: &str, index: bool) -> Diagnostic {
     let headline = format!("the medium `{}` {does} light, which is not rendered yet", **medium);
     Diagnostic::error(Code::MATTER_NOT_FOLLOWED, headline)
         .label(at, "light would not go through it straight and whole")
-        .why("So far light is followed from surface to surface, through clear matter alone.")
-        .help("leave this out to see the medium clear; for metal write `material NAME: conductor { ior: … }` with its index")
+        .why("So far every integrator follows light from surface to surface, through clear matter alone.")
+        .help(match index {
+            true => "write an index without its imaginary part to see the medium clear; for metal write `material NAME: conductor { ior: … }` with this index",
+            false => "leave this field out, or set it to 0, to see the medium clear",
+        })
 }
 
 /// A medium whose absorption is said in two ways.
