@@ -1,9 +1,9 @@
-//! The two questions of a ray, and by whose instructions they are answered.
+//! The questions of a ray, and by whose instructions they are answered.
 //!
 //! All that happens to a ray is inlined into one function for each kind of processor, so that it is
 //! compiled for that processor whole.
 
-use super::best::Best;
+use super::best::{Best, Meeting};
 use super::lanes::{Lanes, Portable};
 use super::ray::Probe;
 use super::walk::walk;
@@ -58,21 +58,44 @@ impl Walker {
         }
     }
 
-    /// The first surface the ray meets, with instances; `other` is the first that is no instance's.
+    /// See [`Geometry::meet`]; without instances.
+    #[inline]
+    pub fn meet(self, geometry: &Geometry, ray: &Ray) -> Option<Meeting> {
+        match self {
+            Self::Portable(lanes) => meet(lanes, geometry, ray),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(lanes) => {
+                let (o, d) = (ray.origin, ray.direction);
+                // SAFETY: as above.
+                unsafe { avx2::meet(lanes, geometry, o.x, o.y, o.z, d.x, d.y, d.z, ray.t_max) }
+            }
+        }
+    }
+
+    /// See [`Geometry::hit`].
+    #[inline]
+    pub fn hit(self, geometry: &Geometry, ray: &Ray, meeting: &Meeting) -> Hit {
+        match self {
+            Self::Portable(lanes) => hit(lanes, geometry, ray, meeting),
+            #[cfg(target_arch = "x86_64")]
+            // SAFETY: as above.
+            Self::Avx2(lanes) => unsafe { avx2::hit(lanes, geometry, ray, meeting) },
+        }
+    }
+
+    /// The first meeting of the ray, with instances; `other` is the first that is no instance's.
     #[inline(never)]
-    pub fn closest_in_crowd(
+    pub fn meet_crowd(
         self,
         geometry: &Geometry,
         ray: &Ray,
-        other: Option<Hit>,
-    ) -> Option<Hit> {
+        other: Option<Meeting>,
+    ) -> Option<Meeting> {
         match self {
-            Self::Portable(lanes) => {
-                geometry.crowd.closest(lanes, ray, other, geometry.coordinates)
-            }
+            Self::Portable(lanes) => geometry.crowd.first(lanes, ray, &geometry.shapes, other),
             #[cfg(target_arch = "x86_64")]
             // SAFETY: as above.
-            Self::Avx2(lanes) => unsafe { avx2::closest_in_crowd(lanes, geometry, ray, other) },
+            Self::Avx2(lanes) => unsafe { avx2::meet_crowd(lanes, geometry, ray, other) },
         }
     }
 
@@ -91,10 +114,30 @@ impl Walker {
 #[inline(always)]
 fn closest<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> Option<Hit> {
     let probe = Probe::new(ray, geometry.tree.moderate)?;
+    let meeting = best(lanes, geometry, ray, &probe).meeting()?;
+    Some(geometry.hit_of(lanes, &probe, &meeting))
+}
+
+#[inline(always)]
+fn meet<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> Option<Meeting> {
+    let probe = Probe::new(ray, geometry.tree.moderate)?;
+    let mut best = best(lanes, geometry, ray, &probe);
+    best.settle(lanes, &geometry.tree.blocks, &probe);
+    best.meeting()
+}
+
+#[inline(always)]
+fn best<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray, probe: &Probe) -> Best {
     let mut best = Best::before(ray.t_max);
-    geometry.meet_planes(&probe, &mut best);
-    walk::<_, false>(lanes, &geometry.tree, &geometry.shapes, &probe, &mut best);
-    geometry.hit(lanes, &probe, &best)
+    geometry.meet_planes(probe, &mut best);
+    walk::<_, false>(lanes, &geometry.tree, &geometry.shapes, probe, &mut best);
+    best
+}
+
+#[inline(always)]
+fn hit<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray, meeting: &Meeting) -> Hit {
+    let probe = Probe::new(ray, geometry.tree.moderate).expect("a ray that met something");
+    geometry.hit_of(lanes, &probe, meeting)
 }
 
 #[inline(always)]
@@ -113,7 +156,7 @@ mod avx2 {
     use glam::Vec3;
 
     use crate::render::geometry::lanes::Avx2;
-    use crate::render::geometry::{Geometry, Hit, Ray};
+    use crate::render::geometry::{Geometry, Hit, Meeting, Ray};
 
     macro_rules! compiled {
         ($question:ident -> $answer:ty) => {
@@ -137,16 +180,22 @@ mod avx2 {
     }
 
     compiled!(closest -> Option<Hit>);
+    compiled!(meet -> Option<Meeting>);
     compiled!(occluded -> bool);
 
     #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-    pub fn closest_in_crowd(
+    pub fn hit(lanes: Avx2, geometry: &Geometry, ray: &Ray, meeting: &Meeting) -> Hit {
+        super::hit(lanes, geometry, ray, meeting)
+    }
+
+    #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+    pub fn meet_crowd(
         lanes: Avx2,
         geometry: &Geometry,
         ray: &Ray,
-        other: Option<Hit>,
-    ) -> Option<Hit> {
-        geometry.crowd.closest(lanes, ray, other, geometry.coordinates)
+        other: Option<Meeting>,
+    ) -> Option<Meeting> {
+        geometry.crowd.first(lanes, ray, &geometry.shapes, other)
     }
 
     #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]

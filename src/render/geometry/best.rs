@@ -1,9 +1,31 @@
 //! The best meeting so far of a ray on its way through the tree.
 
 use super::block::Block;
-use super::lanes::{LANES, Portable};
+use super::lanes::{LANES, Lanes, Portable};
 use super::ray::Probe;
 use super::shapes::Primitive;
+
+/// Where a ray first meets a surface: what is needed to choose among surfaces, and to find out all
+/// the rest ([`super::Geometry::hit`]).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// Distance along the ray, the same as [`super::Hit::t`].
+    pub t: f32,
+    /// What is met; of an instance, the triangle by its number in the mesh.
+    pub primitive: Primitive,
+    pub(super) place: Place,
+}
+
+/// Where what is met is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// A triangle of the tree, by [`place`].
+    Tree(u32),
+    /// A triangle of an instance, by the number of that.
+    Instance(u32),
+    /// Among the shapes alone.
+    Shapes,
+}
 
 /// Stands for the place of other shapes.
 const NO_PLACE: usize = usize::MAX;
@@ -19,7 +41,7 @@ pub(super) struct Best {
     pub primitive: Option<Primitive>,
 }
 
-/// The place of a triangle: its block and lane.
+/// The place of a triangle: its block and lane. Build keeps it below 2³².
 #[inline(always)]
 pub(super) fn place(block: usize, lane: usize) -> usize {
     block * LANES + lane
@@ -44,10 +66,14 @@ impl Best {
         }
     }
 
-    /// The block and lane of the triangle that is met, if one is.
+    /// What is met, if anything is. Its parameter is exact only after [`Self::settle`].
     #[inline(always)]
-    pub fn place(&self) -> Option<(usize, usize)> {
-        (self.place != NO_PLACE).then_some((self.place / LANES, self.place % LANES))
+    pub fn meeting(&self) -> Option<Meeting> {
+        let place = match self.place {
+            NO_PLACE => Place::Shapes,
+            place => Place::Tree(place as u32),
+        };
+        Some(Meeting { t: self.t, primitive: self.primitive?, place })
     }
 
     /// A triangle met at a t > 0 within bounds. Only if they overlap with those of the best, f64
@@ -78,17 +104,17 @@ impl Best {
     ) {
         let (block, lane) = (&blocks[place / LANES], place % LANES);
         if let Some(t) = block.face(lane).meet(Portable, probe, inside) {
-            self.settle(blocks, probe);
+            self.settle(Portable, blocks, probe);
             self.offer_at(t, block.primitive(lane), place);
         }
     }
 
     /// Makes the parameter exact.
-    #[inline]
-    pub fn settle(&mut self, blocks: &[Block], probe: &Probe) {
+    #[inline(always)]
+    pub fn settle<L: Lanes>(&mut self, lanes: L, blocks: &[Block], probe: &Probe) {
         if self.least < self.t {
             let face = blocks[self.place / LANES].face(self.place % LANES);
-            self.t = face.meet(Portable, probe, true).unwrap_or(self.t);
+            self.t = face.meet(lanes, probe, true).unwrap_or(self.t);
             self.least = self.t;
         }
     }

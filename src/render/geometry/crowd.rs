@@ -8,12 +8,13 @@
 
 use glam::Vec3A;
 
+use super::best::{Meeting, Place};
 use super::block::Block;
 use super::instance::{Instances, Standing};
 use super::lanes::{LANES, Lanes};
 use super::node::Node;
 use super::ray::{Probe, Surface};
-use super::shapes::{Kind, Primitive};
+use super::shapes::{Kind, Primitive, Shapes};
 use super::template::Template;
 use super::tree::Tree;
 use super::walk::{Ends, Slabs, descend};
@@ -54,29 +55,44 @@ impl Crowd {
             + self.nodes.capacity() * size_of::<Node>()
     }
 
-    /// The first surface the ray meets, where `other` is the first that is no instance's. Without
-    /// `coordinates`, there are weights of corners in their place.
+    /// The first meeting of the ray, where `other` is the first that is no instance's, of `shapes`.
     #[inline(always)]
-    pub fn closest<L: Lanes>(
+    pub fn first<L: Lanes>(
         &self,
         lanes: L,
         ray: &Ray,
-        other: Option<Hit>,
-        coordinates: bool,
-    ) -> Option<Hit> {
+        shapes: &Shapes,
+        other: Option<Meeting>,
+    ) -> Option<Meeting> {
         let Some(probe) = Probe::new(ray, true) else { return other };
-        let rank = other.as_ref().map_or(0, |hit| match hit.primitive.kind() {
-            Kind::Triangle => u64::from(hit.object) << 32,
+        let rank = other.as_ref().map_or(0, |meeting| match meeting.primitive.kind() {
+            Kind::Triangle => u64::from(shapes.owner(meeting.primitive).object) << 32,
             _ => u64::MAX,
         });
-        let t = other.as_ref().map_or(ray.t_max, |hit| hit.t);
+        let t = other.as_ref().map_or(ray.t_max, |meeting| meeting.t);
         let first = self.meet::<L, false>(lanes, &probe, First { t, rank, met: None });
         let Some((number, triangle)) = first.met else { return other };
+        let primitive = Primitive::new(Kind::Triangle, triangle as usize);
+        Some(Meeting { t: first.t, primitive, place: Place::Instance(number) })
+    }
+
+    /// Everything about a meeting with an instance, of a number. Without `coordinates`, there are
+    /// weights of corners in their place.
+    #[inline(never)]
+    pub fn hit<L: Lanes>(
+        &self,
+        lanes: L,
+        probe: &Probe,
+        (number, meeting): (u32, &Meeting),
+        coordinates: bool,
+    ) -> Hit {
+        let Meeting { t, primitive, .. } = *meeting;
+        let triangle = primitive.index() as u32;
         let standing = &self.all[number as usize];
         let mesh = &*self.templates[standing.template as usize].mesh;
         let normals = standing.normals(mesh, triangle);
         let face = standing.face(mesh, triangle);
-        let (Surface { point, ns, uv }, t) = face.surface(lanes, &probe, normals);
+        let (Surface { point, ns, uv }, _) = face.surface(lanes, probe, normals);
         let weights = uv.as_dvec2();
         let laid = if coordinates {
             standing.coordinates(mesh, triangle, weights.to_array())
@@ -84,17 +100,17 @@ impl Crowd {
             None
         };
         let owner = standing.owner(mesh, triangle);
-        Some(Hit {
+        Hit {
             t,
             position: point.position,
             error: point.error,
             ng: point.ng,
             ns,
             uv: laid.unwrap_or(weights),
-            primitive: Primitive::new(Kind::Triangle, triangle as usize),
+            primitive,
             object: owner.object,
             material: owner.material,
-        })
+        }
     }
 
     /// Whether the ray meets any instance.

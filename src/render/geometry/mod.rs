@@ -22,6 +22,7 @@ mod rounding;
 mod sample;
 mod shapes;
 mod sphere;
+mod stream;
 mod template;
 mod tree;
 mod triangle;
@@ -32,15 +33,16 @@ mod tests;
 
 use glam::Vec3;
 
+pub use best::Meeting;
 pub use instance::{Instance, Placement};
 pub use ray::{Hit, Point, Ray, between};
 pub use sample::{Facet, Form};
 pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 
 use ask::Walker;
-use best::Best;
+use best::{Best, Place};
 use crowd::Crowd;
-use lanes::Lanes;
+use lanes::{LANES, Lanes};
 use ray::Probe;
 use shapes::Kind;
 use tree::Tree;
@@ -104,8 +106,23 @@ impl Geometry {
     /// The first surface the ray meets at t in (0, `t_max`). At equal t the least primitive.
     #[inline]
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
-        let met = self.tree.walker.closest(self, ray);
-        if self.crowd.is_empty() { met } else { self.tree.walker.closest_in_crowd(self, ray, met) }
+        match self.crowd.is_empty() {
+            true => self.tree.walker.closest(self, ray),
+            false => self.meet(ray).map(|meeting| self.hit(ray, &meeting)),
+        }
+    }
+
+    /// Which surface is the [`Self::closest`], and where.
+    #[inline]
+    pub fn meet(&self, ray: &Ray) -> Option<Meeting> {
+        let met = self.tree.walker.meet(self, ray);
+        if self.crowd.is_empty() { met } else { self.tree.walker.meet_crowd(self, ray, met) }
+    }
+
+    /// Everything about a meeting of the same ray.
+    #[inline]
+    pub fn hit(&self, ray: &Ray, meeting: &Meeting) -> Hit {
+        self.tree.walker.hit(self, ray, meeting)
     }
 
     /// Whether the ray meets any surface at t in (0, `t_max`).
@@ -152,25 +169,31 @@ impl Geometry {
         }
     }
 
-    /// Everything about the best meeting found.
+    /// Everything about a meeting; of a triangle of the tree, the parameter too.
     #[inline(always)]
-    fn hit<L: Lanes>(&self, lanes: L, probe: &Probe, best: &Best) -> Option<Hit> {
-        let primitive = best.primitive?;
-        let (surface, t, owner) = match best.place() {
-            Some((block, lane)) => {
+    fn hit_of<L: Lanes>(&self, lanes: L, probe: &Probe, meeting: &Meeting) -> Hit {
+        let Meeting { primitive, .. } = *meeting;
+        let (surface, t, owner) = match meeting.place {
+            Place::Tree(place) => {
+                let (block, lane) = (place as usize / LANES, place as usize % LANES);
                 let face = self.tree.blocks[block].face(lane);
                 let normals = self.shapes.corner_normals(primitive.index());
                 let (surface, t) = face.surface(lanes, probe, normals);
                 (surface, t, self.shapes.triangle_owners[primitive.index()])
             }
-            None => (self.surface(probe, primitive), best.t, self.shapes.owner(primitive)),
+            Place::Instance(number) => {
+                return self.crowd.hit(lanes, probe, (number, meeting), self.coordinates);
+            }
+            Place::Shapes => {
+                (self.surface(probe, primitive), meeting.t, self.shapes.owner(primitive))
+            }
         };
         let ray::Surface { point, ns, uv } = surface;
         let uv = match self.coordinates {
             true => self.shapes.coordinates.at(primitive, point.position, uv),
             false => uv.as_dvec2(),
         };
-        Some(Hit {
+        Hit {
             t,
             position: point.position,
             error: point.error,
@@ -180,7 +203,7 @@ impl Geometry {
             primitive,
             object: owner.object,
             material: owner.material,
-        })
+        }
     }
 
     /// Where a ray meets a primitive that is no face of the tree's.

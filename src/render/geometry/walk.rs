@@ -82,9 +82,9 @@ impl<L: Lanes, const ANY: bool> Ends<L> for World<'_, ANY> {
     }
 
     #[inline(always)]
-    fn round(&mut self, _: L, primitive: Primitive) -> bool {
+    fn round(&mut self, lanes: L, primitive: Primitive) -> bool {
         if let Some(t) = meet_round(self.shapes, self.probe, primitive) {
-            self.best.settle(&self.tree.blocks, self.probe);
+            self.best.settle(lanes, &self.tree.blocks, self.probe);
             self.best.offer(t, primitive);
             return ANY && self.best.primitive.is_some();
         }
@@ -315,7 +315,7 @@ impl<L: Lanes, const ANY: bool> Task<L> for Rest<'_, '_, ANY> {
             left &= left - 1;
             let inside = self.inside & (1 << lane) != 0;
             if let Some(t) = block.face(lane).meet(lanes, probe, inside) {
-                best.settle(&tree.blocks, probe);
+                best.settle(lanes, &tree.blocks, probe);
                 best.offer_at(t, block.primitive(lane), best::place(self.number, lane));
                 if ANY && best.primitive.is_some() {
                     return true;

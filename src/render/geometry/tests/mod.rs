@@ -7,6 +7,7 @@ mod leaving;
 mod meshes;
 mod processors;
 mod sampling;
+mod streams;
 mod watertight;
 
 use glam::{DVec3, Vec3};

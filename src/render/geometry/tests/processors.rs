@@ -6,7 +6,7 @@ use super::meshes::{Chance, Mesh};
 use crate::render::geometry::{Disk, Geometry, Owner, Plane, Ray, Sphere};
 
 /// A bumpy mesh with round shapes and a plane, of a size, somewhere.
-fn mixed(chance: &mut Chance, scale: f64, offset: f64) -> Geometry {
+pub(super) fn mixed(chance: &mut Chance, scale: f64, offset: f64) -> Geometry {
     let mut shapes = Mesh::bumpy(4).placed(scale, DVec3::splat(offset)).shapes();
     let owner = Owner::default();
     let place = |p: DVec3| (p * scale + offset).as_vec3();

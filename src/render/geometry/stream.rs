@@ -1,0 +1,34 @@
+//! Streams of rays: many questions at once.
+//!
+//! Each answer is to the bit that of the single question, whatever other rays there are and in
+//! whatever order; so a stream may be cut anywhere.
+
+use super::{Geometry, Hit, Meeting, Ray};
+
+impl Geometry {
+    /// [`Self::meet`] of each ray. Panics unless there are as many places as rays.
+    pub fn meet_all(&self, rays: &[Ray], met: &mut [Option<Meeting>]) {
+        assert_eq!(rays.len(), met.len());
+        for (ray, met) in rays.iter().zip(met) {
+            *met = self.meet(ray);
+        }
+    }
+
+    /// [`Self::hit`] of each ray that met something; none of others. Panics unless there are as many
+    /// meetings and places as rays.
+    pub fn hit_all(&self, rays: &[Ray], met: &[Option<Meeting>], hits: &mut [Option<Hit>]) {
+        assert_eq!(rays.len(), met.len());
+        assert_eq!(rays.len(), hits.len());
+        for ((ray, met), hit) in rays.iter().zip(met).zip(hits) {
+            *hit = met.as_ref().map(|meeting| self.hit(ray, meeting));
+        }
+    }
+
+    /// [`Self::occluded`] of each ray. Panics unless there are as many places as rays.
+    pub fn occluded_all(&self, rays: &[Ray], occluded: &mut [bool]) {
+        assert_eq!(rays.len(), occluded.len());
+        for (ray, occluded) in rays.iter().zip(occluded) {
+            *occluded = self.occluded(ray);
+        }
+    }
+}
