@@ -21,33 +21,39 @@ pub struct Done<'a> {
 }
 
 impl Done<'_> {
-    /// Writes the files, each whole or not at all.
+    /// Writes the files side by side, each whole or not at all.
     pub fn write(self, paths: &Paths) -> Result<(), (PathBuf, Failure)> {
         let metadata = self.metadata();
-        if let Some(path) = &paths.png {
-            let factor = self.about.exposure.exp2();
-            files::png::write(path, &self.outcome.picture, factor, &metadata)
-                .map_err(|failure| (path.clone(), failure))?;
-        }
-        if let Some(path) = &paths.exr {
-            let Frame { film, window, .. } = self.frame;
-            let samples = film::samples(window, &self.outcome.taken);
-            let error = self.outcome.standard_error;
-            let error = error.into_iter().map(|error| ("error".to_string(), error));
-            let layers = film::layers(window, &self.outcome.taken, self.frame.light_unit);
-            let layers = self.about.layers.iter().cloned().zip(layers);
-            let mut named: Vec<_> = error.chain(layers).collect();
-            named.sort_by(|(a, _), (b, _)| a.cmp(b));
-            let layers = files::exr::Layers {
-                film: film.map(|n| n as usize),
-                origin: [window.x0 as usize, window.y0 as usize],
-                main: self.outcome.picture,
-                named,
-                scalars: vec![("samples".to_string(), samples)],
-            };
-            files::exr::write(path, &layers, &metadata).map_err(|f| (path.clone(), f))?;
-        }
-        Ok(())
+        let Self { about, frame: Frame { film, window, light_unit }, outcome, .. } = self;
+        let Outcome { picture, standard_error, taken, .. } = outcome;
+        let error = standard_error.into_iter().map(|error| ("error".to_string(), error));
+        let layers = film::layers(window, &taken, *light_unit);
+        let mut named: Vec<_> = error.chain(about.layers.iter().cloned().zip(layers)).collect();
+        named.sort_by(|(a, _), (b, _)| a.cmp(b));
+        let layers = files::exr::Layers {
+            film: film.map(|n| n as usize),
+            origin: [window.x0 as usize, window.y0 as usize],
+            main: picture,
+            named,
+            scalars: vec![("samples".to_string(), film::samples(window, &taken))],
+        };
+        // It is larger than all that is written, which takes more of its own.
+        drop(taken);
+        let (png, exr) = files::both(
+            || match &paths.png {
+                Some(path) => {
+                    files::png::write(path, &layers.main, about.exposure.exp2(), &metadata)
+                        .map_err(|failure| (path.clone(), failure))
+                }
+                None => Ok(()),
+            },
+            || match &paths.exr {
+                Some(path) => files::exr::write(path, &layers, &metadata)
+                    .map_err(|failure| (path.clone(), failure)),
+                None => Ok(()),
+            },
+        );
+        png.and(exr)
     }
 
     /// What made the picture, so that it can be made again.

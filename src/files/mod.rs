@@ -25,3 +25,11 @@ pub use failure::Failure;
 
 /// What is told about a picture, key and value; ours begin with `scn:`.
 pub type Metadata = Vec<(String, String)>;
+
+/// Two files at once, where there are threads for both.
+pub fn both<A: Send, B: Send>(
+    one: impl FnOnce() -> A + Send,
+    other: impl FnOnce() -> B + Send,
+) -> (A, B) {
+    rayon::join(one, other)
+}

@@ -53,6 +53,8 @@ impl Encoded {
         let mut encoder = png::Encoder::new(to, self.width, self.height);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
+        // Noise does not shrink, however long one tries.
+        encoder.set_compression(png::Compression::Fast);
         encoder.set_source_srgb(png::SrgbRenderingIntent::RelativeColorimetric);
         for (key, value) in metadata {
             encoder.add_itxt_chunk(key.clone(), value.clone()).map_err(unwritten)?;
