@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::options::Force;
-use super::words::counted;
+use crate::diag::words::counted;
 use crate::diag::{Diagnostic, Sources, Span};
 use crate::load::Stage;
 use crate::plan::{self, Bias, Plan};

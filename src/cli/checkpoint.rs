@@ -12,7 +12,7 @@ use super::limits::percent;
 use super::log::{Event, Log, shown};
 use super::options::Render;
 use super::output::Output;
-use super::words::{counted, grouped};
+use crate::diag::words::{counted, grouped};
 use crate::files;
 use crate::files::hold::Held;
 use crate::render::World;

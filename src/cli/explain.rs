@@ -1,9 +1,9 @@
 //! `scn explain`: the page of a fault.
 
-use super::near::{either, near};
 use super::options::Explain;
 use super::{End, terminal};
-use crate::diag::{self, CODES};
+use crate::diag::words::did_you_mean;
+use crate::diag::{self, CODES, near};
 
 pub fn run(options: &Explain) -> End {
     let Some(name) = &options.code else {
@@ -30,7 +30,12 @@ pub fn run(options: &Explain) -> End {
             }
             let hint = match nearest.as_slice() {
                 [] => "`scn explain` lists all of them".to_string(),
-                codes => format!("did you mean {}? `scn explain` lists all of them", either(codes)),
+                codes => {
+                    format!(
+                        "{} `scn explain` lists all of them",
+                        did_you_mean(codes.iter().copied())
+                    )
+                }
             };
             terminal::fail(&format!("there is no fault with the code `{bare}`; {hint}"));
             End::NotDone

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::about::{About, Frame, VERSION};
 use super::shard::Slice;
 use super::stop;
-use super::words::grouped;
+use crate::diag::words::grouped;
 use crate::files::{self, Failure};
 use crate::render::film::Taken;
 use crate::run::Rule;

@@ -1,7 +1,8 @@
 //! When a picture is done: the limits of the scene, or those of the command line in their place.
 
 use super::options::Render;
-use super::words::{counted, duration};
+use super::words::duration;
+use crate::diag::words::counted;
 use crate::run::Rule;
 use crate::scene::Stop;
 

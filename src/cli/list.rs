@@ -6,10 +6,11 @@ mod reference;
 mod spectra;
 mod types;
 
-use super::near::{either, near};
 use super::options::{List, Page};
 use super::{End, terminal};
+use crate::diag::near;
 use crate::diag::print::Look;
+use crate::diag::words::did_you_mean;
 use crate::scene::KINDS;
 use crate::scene::schema::{Kind, Record, Type};
 use entries::{Entry, entries};
@@ -46,7 +47,7 @@ pub fn run(options: &List) -> End {
                     .as_slice()
                     {
                         [] => "`scn list` shows the words it has".to_string(),
-                        words => format!("did you mean {}?", either(words)),
+                        words => did_you_mean(words.iter().copied()),
                     };
                     format!("the language has no word `{word}`; {hint}")
                 };

@@ -11,8 +11,9 @@ use super::limits::{self, percent};
 use super::options::Form;
 use super::shard::Slice;
 use super::terminal;
-use super::words::{counted, duration, grouped, rate, size};
+use super::words::{duration, rate, size};
 use crate::diag::harmless_text;
+use crate::diag::words::{counted, grouped};
 use crate::measure::noise::Noise;
 use crate::run::Rule;
 

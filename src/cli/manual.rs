@@ -1,8 +1,9 @@
 //! `scn man` and `scn completions`: what is known of the options, for `man` and for shells.
 
+use crate::diag::near;
+use crate::diag::words::did_you_mean;
 use clap::CommandFactory;
 
-use super::near::{either, near};
 use super::options::{Completions, Man, Options};
 use super::{End, terminal};
 
@@ -16,7 +17,7 @@ pub fn page(options: &Man) -> End {
             let nearest = near(name, all.iter().copied());
             let hint = match nearest.as_slice() {
                 [] => "`scn --help` lists all of them".to_string(),
-                nearest => format!("did you mean {}?", either(nearest)),
+                nearest => did_you_mean(nearest.iter().copied()),
             };
             terminal::fail(&format!("there is no command `{name}`; {hint}"));
             return End::NotDone;

@@ -7,7 +7,6 @@ mod options;
 mod terminal;
 mod stop;
 mod words;
-mod near;
 mod whose;
 mod bar;
 mod clock;

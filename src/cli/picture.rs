@@ -6,7 +6,7 @@ use super::about::{About, Frame, VERSION, comma};
 use super::bias;
 use super::log::Error;
 use super::output::Paths;
-use super::words::counted;
+use crate::diag::words::counted;
 use crate::files::{self, Failure, Metadata};
 use crate::render::film;
 use crate::run::{LEAST_FOR_ERROR, MOST_DOUBTFUL, Outcome, Rule, Stopped};

@@ -1,5 +1,7 @@
 //! `scn render`: read, check everything, then render one scene at a time.
 
+use crate::cli::words::NAMES;
+use crate::diag::words::few;
 use std::collections::HashSet;
 use std::path::PathBuf;
 
@@ -9,7 +11,6 @@ use super::bar::{Bar, Watcher};
 use super::checkpoint::{self, Keeper};
 use super::finish::Finish;
 use super::log::{Event, Loaded, Log, shown};
-use super::near::listed;
 use super::options::{Form, Render};
 use super::output::Output;
 use super::replay::{self, Replay};
@@ -121,7 +122,7 @@ impl<'a> Session<'a> {
                  NAME, or give a folder: {}",
                 path.display(),
                 chosen.len(),
-                listed(&chosen.iter().map(|r| r.name.value.as_str()).collect::<Vec<_>>()),
+                few(chosen.iter().map(|r| r.name.value.as_str()), NAMES),
             ))),
             _ => Ok(chosen),
         }

@@ -6,7 +6,7 @@ use super::about::VERSION;
 use super::log::shown;
 use super::options::{self, Render};
 use super::paths::DRAWING;
-use super::words::counted;
+use crate::diag::words::counted;
 use crate::files::{self, Failure};
 use crate::load::Stage;
 

@@ -1,9 +1,11 @@
 //! From the scene file's name to its renders, with the texts it imports.
 
+use crate::cli::words::NAMES;
+use crate::diag::near;
+use crate::diag::words::{did_you_mean, few};
 use std::path::{Path, PathBuf};
 
 use super::log::shown;
-use super::near::{either, listed, near};
 use super::terminal;
 use crate::diag::Sources;
 use crate::files;
@@ -61,9 +63,9 @@ pub fn chosen(
                  in `{example}`"
             ));
         } else if !nearest.is_empty() {
-            text.push_str(&format!("; did you mean {}?", either(&nearest)));
+            text.push_str(&format!("; {}", did_you_mean(nearest)));
         }
-        text.push_str(&format!("\n  it has: {}", listed(&all)));
+        text.push_str(&format!("\n  it has: {}", few(all, NAMES)));
         return Err(text);
     }
     let wanted = |render: &lang::Render| only.is_empty() || only.contains(&render.name.value);
@@ -83,7 +85,7 @@ pub fn unread(path: &Path, failure: &files::Failure) -> String {
     longer.push(".scn");
     if files::text::read(Path::new(&longer)).is_ok() {
         let longer = longer.to_string_lossy();
-        text.push_str(&format!("\n  did you mean {}?", either(&[&*longer])));
+        text.push_str(&format!("\n  {}", did_you_mean([&*longer])));
     }
     text
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::words::counted;
+use crate::diag::words::counted;
 
 /// `--shard i/n`: one of so many slices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! Which of a file's renders a fault of a whole scene belongs to.
 
-use super::near::quoted;
 use crate::diag::Diagnostic;
+use crate::diag::words::listed;
 
 /// More names than this, and a fault tells their number.
 const MOST: usize = 4;
@@ -25,10 +25,9 @@ pub fn told(renders: Vec<(String, Vec<Diagnostic>)>) -> Vec<Diagnostic> {
             && let Some(label) = fault.labels.first_mut()
         {
             let whose = match names.as_slice() {
-                [one] => format!("in render {}", quoted(&[one], "and")),
+                [one] => format!("in render {}", listed([one.as_str()], "and")),
                 some if some.len() <= MOST => {
-                    let names: Vec<&str> = some.iter().map(String::as_str).collect();
-                    format!("in renders {}", quoted(&names, "and"))
+                    format!("in renders {}", listed(some.iter().map(String::as_str), "and"))
                 }
                 many => format!("in {} of the {all} renders", many.len()),
             };

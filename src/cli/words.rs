@@ -1,22 +1,7 @@
-//! Numbers as people read them.
+//! Numbers as people read them, and how many names.
 
-/// "1 render", "7 renders", "99,785 triangles".
-pub fn counted(n: u64, word: &str) -> String {
-    if n == 1 { format!("1 {word}") } else { format!("{} {word}s", grouped(n)) }
-}
-
-/// Digits in groups of three: "99,785".
-pub fn grouped(n: u64) -> String {
-    let digits = n.to_string();
-    let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
+/// Names that a message lists at most.
+pub const NAMES: usize = 12;
 
 /// Seconds with a unit that suits them: "12 ms", "0.17 s", "12 s", "3 min 20 s", "2 h 5 min".
 pub fn duration(seconds: f64) -> String {
@@ -69,9 +54,6 @@ mod tests {
 
     #[test]
     fn numbers_read_as_people_write_them() {
-        assert_eq!(counted(1, "render"), "1 render");
-        assert_eq!(counted(0, "light"), "0 lights");
-        assert_eq!(counted(1_099_785, "triangle"), "1,099,785 triangles");
         assert_eq!(duration(0.000_1), "under 1 ms");
         assert_eq!(duration(0.099), "99 ms");
         assert_eq!(duration(0.168), "0.17 s");

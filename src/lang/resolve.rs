@@ -173,7 +173,7 @@ fn action(
             // It may be meant to be any of the kinds that must be stated.
             if reports.is_no_kind(&kind.text) {
                 reports.poison(
-                    super::errors::nearest(&kind.text, KINDS.iter().map(|k| k.word))
+                    crate::diag::near(&kind.text, KINDS.iter().map(|k| k.word))
                         .into_iter()
                         .map(String::from),
                 );

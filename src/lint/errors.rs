@@ -1,6 +1,7 @@
 //! What is wrong with a comment that allows.
 
-use crate::diag::{CODES, Code, Diagnostic, Span};
+use crate::diag::words::did_you_mean;
+use crate::diag::{CODES, Code, Diagnostic, Span, near};
 
 /// The form of such a comment.
 const FORM: &str = "// lint: allow(rule) because \"…\"";
@@ -19,15 +20,16 @@ pub fn unknown(name: &str, at: Span) -> Diagnostic {
         format!("there is no lint `{name}` to allow"),
     )
     .label(at, "no rule, and no code of a warning");
-    match nearest(name).as_slice() {
+    // As they are written in a comment.
+    let short = |name: &'static str| name.strip_prefix("lint/").unwrap_or(name);
+    let all = CODES.iter().map(|code| short(code.name));
+    let near = near(name.strip_prefix("lint/").unwrap_or(name), all);
+    match near.as_slice() {
         [] => fault.help("`scn lint --list` shows all rules"),
-        [near] => {
-            fault.help(format!("did you mean `{near}`?")).mend(format!("write `{near}`"), at, *near)
+        [one] => {
+            fault.help(did_you_mean(near.iter().copied())).mend(format!("write `{one}`"), at, *one)
         }
-        [first, others @ ..] => fault.help(format!(
-            "did you mean `{first}`{}?",
-            others.iter().map(|near| format!(" or `{near}`")).collect::<String>()
-        )),
+        some => fault.help(did_you_mean(some.iter().copied())),
     }
 }
 
@@ -50,20 +52,4 @@ pub fn without_reason(comment: Span) -> Diagnostic {
     )
     .label(comment, "why?")
     .help(format!("tell the next reader why it is meant: `{FORM}`"))
-}
-
-/// The rules and warnings nearest to a name, best first, as they are written in a comment.
-fn nearest(name: &str) -> Vec<&'static str> {
-    const NEAR: f64 = 0.85;
-    let short = name.strip_prefix("lint/").unwrap_or(name);
-    let mut all: Vec<(f64, &'static str)> = CODES
-        .iter()
-        .map(|code| code.name.strip_prefix("lint/").unwrap_or(code.name))
-        .map(|candidate| (strsim::jaro_winkler(short, candidate), candidate))
-        .filter(|(likeness, _)| *likeness >= NEAR)
-        .collect();
-    all.sort_by(|a, b| b.0.total_cmp(&a.0).then_with(|| a.1.cmp(b.1)));
-    // Beside one that is much nearer the others only distract.
-    let best = all.first().map_or(0.0, |(likeness, _)| *likeness);
-    all.into_iter().filter(|it| it.0 > best - 0.03).take(3).map(|it| it.1).collect()
 }

@@ -169,13 +169,13 @@ fn layers_go_through_checkpoints_parts_and_comparisons() {
     assert!(layers("merged.exr") == whole);
     let run = bench.run("compare kept.exr merged.exr").well();
     let words = run.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
-    let layers = "--layer NAME compares a layer: caustics, direct, rest.";
+    let layers = "--layer NAME compares a layer: `caustics`, `direct` and `rest`.";
     assert!(words.contains(layers), "{}", run.stdout);
     let run = bench.run("compare kept.exr merged.exr --layer caustics --format json").well();
     let told: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
     assert_eq!(told["settings"]["layer"], "caustics");
     let run = bench.run("compare kept.exr merged.exr --layer caustic").ends(2);
-    run.says("has no layer `caustic`\n  it has caustics, direct, error, rest");
+    run.says("has no layer `caustic`\n  it has `caustics`, `direct`, `error` and `rest`");
     // A layer is less light than all.
     bench.run("compare whole.exr whole.exr --layer direct --fail-if relmse>0").well();
 

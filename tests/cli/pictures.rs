@@ -50,7 +50,7 @@ fn one_render_goes_to_one_file_of_the_kind_asked_for() {
 fn a_file_for_several_renders_is_refused() {
     let bench = Bench::new();
     let run = bench.run("render ball.scn -o a.png").ends(2);
-    run.says("`a.png` holds one picture, but 2 renders").says("--only").says("left, right");
+    run.says("`a.png` holds one picture, but 2 renders").says("--only").says("`left` and `right`");
     bench.run("render ball.scn -o a.jpg").ends(2).says("written as .exr or .png, not as .jpg");
     assert_eq!(bench.files(), ["ball.scn"]);
     // A folder may be called so.
@@ -63,7 +63,7 @@ fn a_file_for_several_renders_is_refused() {
 fn only_names_renders_that_exist() {
     let bench = Bench::new();
     let run = bench.run("render ball.scn --only lift").ends(2);
-    run.says("no render `lift`").says("did you mean `left`?").says("left, right");
+    run.says("no render `lift`").says("did you mean `left`?").says("`left` and `right`");
     assert_eq!(bench.files(), ["ball.scn"]);
 }
 

@@ -1,8 +1,9 @@
 //! A condition such as `relmse > 0.01`.
 
+use crate::diag::near;
+use crate::diag::words::did_you_mean;
 use std::fmt;
 
-use crate::cli::near::{either, near};
 use crate::measure::{METRICS, Metric};
 
 /// A metric held against a number.
@@ -62,7 +63,7 @@ fn unknown(name: &str) -> String {
     let all: Vec<_> = METRICS.iter().map(|metric| metric.name).collect();
     let hint = match near(name, all.iter().copied()).as_slice() {
         [] => String::new(),
-        names => format!("; did you mean {}?", either(names)),
+        names => format!("; {}", did_you_mean(names.iter().copied())),
     };
     format!("there is no metric `{name}`{hint}\nThe metrics are {}.", all.join(", "))
 }

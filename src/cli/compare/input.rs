@@ -1,9 +1,10 @@
 //! A picture read from a file, with what the file says of it.
 
+use crate::cli::words::NAMES;
+use crate::diag::words::few;
 use std::path::{Path, PathBuf};
 
 use super::Refusal;
-use crate::cli::near::listed;
 use crate::files::{self, Metadata};
 use crate::math::Picture;
 use crate::measure::{Pair, Unpaired};
@@ -128,7 +129,7 @@ fn no_layer(shown: &str, layer: &str, layers: &[String]) -> Refusal {
     let names: Vec<&str> = layers.iter().map(String::as_str).collect();
     let has = match names.as_slice() {
         [] => "it has none".to_string(),
-        names => format!("it has {}", listed(names)),
+        names => format!("it has {}", few(names.iter().copied(), NAMES)),
     };
     let layer = super::remarks::harmless(layer);
     format!("`{shown}` has no layer `{layer}`\n  {}", super::remarks::harmless(&has))

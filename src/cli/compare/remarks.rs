@@ -2,8 +2,9 @@
 //! comparisons that mean less than they seem to.
 
 use super::{Comparison, input::Input};
-use crate::cli::near::listed;
+use crate::cli::words::NAMES;
 use crate::diag::harmless_text;
+use crate::diag::words::few;
 use crate::files;
 
 /// What differs from picture to picture without telling why the pictures do.
@@ -50,7 +51,7 @@ pub fn notes(comparison: &Comparison) -> Vec<String> {
     if comparison.layer.is_none() && !layers.is_empty() {
         notes.push(format!(
             "all light is compared; --layer NAME compares a layer: {}.",
-            harmless(&listed(&layers))
+            harmless(&few(layers, NAMES))
         ));
     }
     for judged in &comparison.tests {

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::cli::log::shown;
-use crate::cli::words::counted;
 use crate::cli::{check, terminal};
+use crate::diag::words::counted;
 use crate::diag::{Level, Sources};
 use crate::files;
 use crate::lint::{Fixed, Selection, fixed};

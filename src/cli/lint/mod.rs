@@ -3,12 +3,13 @@
 mod fix;
 mod options;
 
+use crate::diag::near;
+use crate::diag::words::did_you_mean;
 use std::path::Path;
 
 use super::log::shown;
-use super::near::{either, near};
-use super::words::counted;
 use super::{End, check, diff, scene_file, terminal};
+use crate::diag::words::counted;
 use crate::diag::{self, CODES, Diagnostic, Sources};
 use crate::lint::Selection;
 
@@ -110,7 +111,7 @@ fn no_such_code(name: &str) -> String {
     let rules = CODES.iter().filter_map(|code| code.name.strip_prefix("lint/"));
     let hint = match near(name, CODES.iter().map(|code| code.name).chain(rules)).as_slice() {
         [] => "`scn lint --list` shows the rules, `scn explain` all codes".to_string(),
-        words => format!("did you mean {}?", either(words)),
+        words => did_you_mean(words.iter().copied()),
     };
     format!("no code is `{name}`, or begins so; {hint}")
 }

@@ -5,6 +5,8 @@ mod gathered;
 mod drawing;
 mod report;
 
+use crate::cli::words::NAMES;
+use crate::diag::words::few;
 use std::ffi::OsStr;
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::time::Instant;
@@ -14,7 +16,6 @@ pub use options::Paths;
 use super::about::VERSION;
 use super::clock::Clock;
 use super::log::shown;
-use super::near::listed;
 use super::options::Form;
 use super::{End, failed, scene_file, terminal, whose};
 use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
@@ -129,7 +130,7 @@ fn stage(options: &Paths, sources: &mut Sources) -> Result<(String, Stage), End>
         return Err(failed(&format!(
             "`{scene}` has {} renders\n  write which one after the file: {}",
             names.len(),
-            listed(&names)
+            few(names, NAMES)
         )));
     }
     let Some(render) = renders.pop() else { return Err(End::NotDone) };

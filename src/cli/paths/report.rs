@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::drawing::{self, Named};
 use super::gathered::{Bright, Caustic, DIRECT, Gathered, INDIRECT, add, letter};
 use super::options::{By, Paths};
-use crate::cli::words::{counted, grouped};
+use crate::diag::words::{counted, grouped};
 use crate::prepare::Prepared;
 use crate::render::integrators::Source;
 

@@ -3,7 +3,8 @@
 use super::forecast::{Limit, MOST_SAMPLES, Reached};
 use super::{Planned, RULE};
 use crate::cli::limits::percent;
-use crate::cli::words::{counted, duration, rate, size};
+use crate::cli::words::{duration, rate, size};
+use crate::diag::words::counted;
 use crate::plan::Need;
 use crate::run::LEAST_FOR_ERROR;
 

@@ -7,6 +7,7 @@ mod quantities;
 mod spectral;
 mod textured;
 
+use crate::diag::words::listed;
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -190,7 +191,7 @@ impl<'a> Checker<'a> {
                 }
                 _ => {
                     let all = words.all.iter().map(|(word, _)| *word);
-                    mismatch(&super::errors::listed(all, "or"));
+                    mismatch(&listed(all, "or"));
                     None
                 }
             },
@@ -199,10 +200,7 @@ impl<'a> Checker<'a> {
                 ValueKind::Number { .. } => self.landed(value, &Type::Count, range, place),
                 _ => {
                     let all = words.all.iter().map(|(word, _)| *word);
-                    mismatch(&super::errors::listed(
-                        ["a whole number"].into_iter().chain(all),
-                        "or",
-                    ));
+                    mismatch(&listed(["a whole number"].into_iter().chain(all), "or"));
                     None
                 }
             },
@@ -345,7 +343,7 @@ impl<'a> Checker<'a> {
             let keys = found.fields.iter().map(|said| &*said.key.text);
             let mut strangers: Vec<&str> = keys.filter(|key| unknown(key)).collect();
             let misspelt = |field: &schema::Field, strangers: &mut Vec<&str>| {
-                let near = |key: &&str| super::errors::nearest(key, [field.word]).len() == 1;
+                let near = |key: &&str| crate::diag::near(key, [field.word]).len() == 1;
                 let at = strangers.iter().position(near);
                 at.map(|at| strangers.remove(at)).is_some()
             };

@@ -1,7 +1,8 @@
 //! Expressions over paths of light.
 
+use crate::diag;
 use crate::diag::Span;
-use crate::lang::errors::{name as names, nearest, paths as errors};
+use crate::lang::errors::{name as names, paths as errors};
 use crate::lang::eval::Evaluator;
 use crate::lang::value::{Value, ValueKind};
 use crate::math::paths::Expression;
@@ -15,7 +16,7 @@ pub fn paths(ev: &Evaluator, value: &Value, words: Option<&Words>, what: &str) -
     match &value.kind {
         ValueKind::Word(word) => {
             let found = all.iter().position(|known| *known == &*word.text);
-            if found.is_none() && nearest(&word.text, all.iter().copied()).is_empty() {
+            if found.is_none() && diag::near(&word.text, all.iter().copied()).is_empty() {
                 ev.reports.tell(errors::no_text(what, &value.described(), &all, span));
             } else if found.is_none() {
                 ev.reports.tell(names::unknown_word(what, &word.text, &all, span));

@@ -1,5 +1,6 @@
 //! `import/…`: files that name files.
 
+use crate::diag::words::listed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::limits;
 
@@ -38,7 +39,7 @@ pub fn circle(files: &[(String, Span)]) -> Diagnostic {
     let names: Vec<_> = files.iter().map(|(name, _)| name.as_str()).collect();
     let headline = match names.as_slice() {
         [one] => format!("`{one}` uses itself"),
-        _ => format!("{} use each other in a circle", super::listed(names.iter().copied(), "and")),
+        _ => format!("{} use each other in a circle", listed(names.iter().copied(), "and")),
     };
     let mut told = Diagnostic::error(Code::IMPORT_CIRCLE, headline);
     for (name, span) in files {

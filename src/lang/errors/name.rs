@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{listed, nearest, plural, with_article};
-use crate::diag::{Code, Diagnostic, Span};
+use super::{plural, with_article};
+use crate::diag::words::{did_you_mean, listed};
+use crate::diag::{Code, Diagnostic, Span, near as nearest};
 use crate::lang::ast::Word;
 use crate::math::units;
 use crate::scene::KINDS;
@@ -17,7 +18,7 @@ fn offer(told: Diagnostic, found: &str, span: Span, all: &[&str], what: &str) ->
     let what = what.trim_end_matches(" are");
     let near = nearest(found, all.iter().copied());
     let mut told = match (near.is_empty(), all.len()) {
-        (false, _) => told.help(format!("did you mean {}?", listed(near.iter().copied(), "or"))),
+        (false, _) => told.help(did_you_mean(near.iter().copied())),
         (true, 0) => told,
         (true, _) => {
             let mut words: Vec<_> = all.iter().copied().take(LISTED).collect();
@@ -115,7 +116,7 @@ pub fn unknown_value(found: &str, span: Span, defined: &[Arc<str>]) -> Diagnosti
 /// "did you mean `a`?" of whole values; with a mend for each.
 fn meant(told: Diagnostic, all: &[String], span: Span) -> Diagnostic {
     let words = all.iter().map(String::as_str);
-    let told = told.help(format!("did you mean {}?", listed(words, "or")));
+    let told = told.help(did_you_mean(words));
     all.iter().fold(told, |told, right| told.mend(format!("write `{right}`"), span, right))
 }
 

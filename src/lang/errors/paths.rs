@@ -1,6 +1,6 @@
 //! `paths/…`: expressions over paths of light that are none.
 
-use super::listed;
+use crate::diag::words::listed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::math::paths::{Fault, MOST_DEPTH, MOST_LENGTH, Wrong};
 

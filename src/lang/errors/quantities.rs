@@ -1,6 +1,6 @@
 //! `type/missing-unit`, `type/wrong-dimension`: quantities whose unit is not that of their place.
 
-use super::listed;
+use crate::diag::words::listed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::value::digits;
 use crate::math::units::{Dimension, UNITS};

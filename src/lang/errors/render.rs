@@ -1,6 +1,8 @@
 //! `render/…`: differences that do not fit together, and limits of what a file may ask for.
 
-use super::{listed, nearest, with_article};
+use super::with_article;
+use crate::diag::near;
+use crate::diag::words::{did_you_mean, listed};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::ast::Word;
 use crate::lang::limits;
@@ -68,10 +70,10 @@ pub fn no_such_key(path: &str, word: &Word, all: &[&str]) -> Diagnostic {
     let headline = format!("`{path}` has no `{}` to change", word.text);
     let told = Diagnostic::error(Code::RENDER_NOTHING_TO_CHANGE, headline)
         .label(word.span, "nothing states it");
-    let near = nearest(&word.text, all.iter().copied());
+    let near = near(&word.text, all.iter().copied());
     match (near.is_empty(), all) {
         (_, []) => told.help(format!("state `{path}` as a whole")),
-        (false, _) => told.help(format!("did you mean {}?", listed(near, "or"))),
+        (false, _) => told.help(did_you_mean(near)),
         (true, _) => told.help(format!("stated are {}", listed(all.iter().copied(), "and"))),
     }
 }

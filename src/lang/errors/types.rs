@@ -1,6 +1,7 @@
 //! `type/…`: a value that its place cannot take.
 
-use super::{listed, plural, with_article};
+use super::{plural, with_article};
+use crate::diag::words::listed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lang::ast::Word;
 use crate::lang::limits;

@@ -1,7 +1,9 @@
 //! A layer that no path can go to in any render.
 
+use crate::diag::words::few;
 use crate::diag::{Code, Diagnostic};
-use crate::lint::{Shot, everywhere, listed};
+use crate::lint::NAMES;
+use crate::lint::{Shot, everywhere};
 use crate::plan::{Chosen, Unmet};
 use crate::scene::{At, Layer, Only};
 
@@ -43,8 +45,7 @@ pub(super) fn why(unmet: &Unmet) -> String {
         Unmet::NotFollowed => "The integrator does not follow light so far.".to_string(),
         Unmet::NoSurface(events) if events.is_empty() => "The scene has no surfaces.".to_string(),
         Unmet::NoSurface(events) => {
-            let letters: Vec<&str> = events.iter().map(|event| event.letter()).collect();
-            let all = listed(&letters);
+            let all = few(events.iter().map(|event| event.letter()), NAMES);
             format!("No surface scatters so: what surfaces here do with light is {all}.")
         }
     }

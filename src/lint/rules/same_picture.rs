@@ -1,10 +1,12 @@
 //! Two renders of one file that show the same, pixel for pixel, whatever their captions say: a
 //! difference was forgotten, or changes nothing.
 
+use crate::diag::words::few;
+use crate::lint::NAMES;
 use std::collections::HashMap;
 
 use crate::diag::{Code, Diagnostic};
-use crate::lint::{Shot, listed};
+use crate::lint::Shot;
 use crate::scene::{At, Scene, Text};
 
 pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
@@ -34,7 +36,7 @@ fn picture(shot: &Shot) -> Option<Vec<u8>> {
 fn same(group: &[&Shot]) -> Diagnostic {
     let (first, second) = (group[0], group[1]);
     let names: Vec<&str> = group.iter().map(|shot| shot.name()).collect();
-    let headline = format!("the renders {} are the same picture", listed(&names));
+    let headline = format!("the renders {} are the same picture", few(names, NAMES));
     let fault = Diagnostic::warning(Code::LINT_SAME_PICTURE, headline);
     let fault = if first.name.span == second.name.span {
         fault.label(second.name.span, "what changes from one to the next is not seen")

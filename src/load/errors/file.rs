@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::nearest;
+use crate::diag::near;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::files::Failure;
 
@@ -24,7 +24,7 @@ pub fn unreadable(
         "It was looked for at {}: names are relative to the file that holds them.",
         super::super::files::shown(path)
     ));
-    match nearest(wanted, beside.iter().map(String::as_str)) {
+    match near(wanted, beside.iter().map(String::as_str)).first() {
         Some(near) => fault.help(format!("there is a file `{near}` in that folder; was it meant?")),
         None => fault.help("correct the name, or put the file there"),
     }

@@ -1,6 +1,8 @@
 //! Faults of .obj files, and of what a scene says about their materials.
 
-use super::{counted, listed, nearest};
+use super::TOLD;
+use crate::diag::near;
+use crate::diag::words::{counted, few};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::files::Failure;
 use crate::files::obj::{Fault, Notice, STATEMENTS, Unread, What};
@@ -35,7 +37,7 @@ pub fn fault(file: &str, fault: &Fault, at: (Span, Span)) -> Diagnostic {
             Code::MESH_TOO_FEW_NUMBERS,
             format!(
                 "`{statement}` in line {line} of `{file}` has {}; it needs {wanted}",
-                counted(*found as u64, "number", "numbers")
+                counted(*found as u64, "number")
             ),
             format!("{found} of {wanted}"),
             "write all coordinates; if the file was cut off, export it again",
@@ -73,7 +75,7 @@ pub fn fault(file: &str, fault: &Fault, at: (Span, Span)) -> Diagnostic {
             Code::MESH_TOO_FEW_CORNERS,
             format!(
                 "the face in line {line} of `{file}` has {}; it needs 3",
-                counted(*found as u64, "corner", "corners")
+                counted(*found as u64, "corner")
             ),
             "no surface".to_string(),
             "remove the face or complete it; points and lines are written `p` and `l`",
@@ -92,10 +94,7 @@ pub fn fault(file: &str, fault: &Fault, at: (Span, Span)) -> Diagnostic {
         ),
         What::TooManyWords(most) => (
             Code::MESH_TOO_MUCH,
-            format!(
-                "line {line} of `{file}` has more than {}",
-                counted(*most as u64, "word", "words")
-            ),
+            format!("line {line} of `{file}` has more than {}", counted(*most as u64, "word")),
             "too long to read".to_string(),
             "remove the backslashes that join its lines, or split the polygon into triangles",
         ),
@@ -103,7 +102,7 @@ pub fn fault(file: &str, fault: &Fault, at: (Span, Span)) -> Diagnostic {
             Code::MESH_TOO_MUCH,
             format!(
                 "`{file}` has more than {} after `{statement}`",
-                counted(*most as u64, "name", "different names")
+                counted(*most as u64, "different name")
             ),
             "one too many".to_string(),
             "split the mesh into several files",
@@ -126,7 +125,7 @@ fn one(many: &str) -> &str {
 /// What is left out or doubtful.
 pub fn notice(file: &str, notice: &Notice, at: (Span, Span)) -> Diagnostic {
     let line = notice.place.line;
-    let lines = counted(notice.count, "line", "lines");
+    let lines = counted(notice.count, "line");
     let (code, headline, label, help) = match &notice.what {
         Unread::Unknown(word) => (
             Code::MESH_UNKNOWN_STATEMENT,
@@ -135,7 +134,7 @@ pub fn notice(file: &str, notice: &Notice, at: (Span, Span)) -> Diagnostic {
                 1 => "has no effect".to_string(),
                 _ => format!("has no effect, here and wherever it stands, in {lines}"),
             },
-            match nearest(word, STATEMENTS) {
+            match near(word, STATEMENTS).first() {
                 Some(near) => format!("write `{near}`, if that is meant"),
                 None => HARMLESS.to_string(),
             },
@@ -175,7 +174,7 @@ pub fn notice(file: &str, notice: &Notice, at: (Span, Span)) -> Diagnostic {
                 ),
                 _ => format!(
                     "{} of `{file}`, the first in line {line}, cannot be split well into triangles",
-                    counted(notice.count, "face", "faces")
+                    counted(notice.count, "face")
                 ),
             },
             "no corner of it sees all others".to_string(),
@@ -187,7 +186,7 @@ pub fn notice(file: &str, notice: &Notice, at: (Span, Span)) -> Diagnostic {
                 1 => format!("the normal in line {line} of `{file}` has length zero"),
                 _ => format!(
                     "{} of `{file}`, the first in line {line}, have length zero",
-                    counted(notice.count, "normal", "normals")
+                    counted(notice.count, "normal")
                 ),
             },
             "has no direction".to_string(),
@@ -229,7 +228,7 @@ pub fn no_faces(file: &str, all: usize, field: Span) -> Diagnostic {
 
 /// Triangles without area, left out.
 pub fn degenerate(file: &str, count: u64, at: Span, field: Span) -> Diagnostic {
-    let triangles = counted(count, "triangle", "triangles");
+    let triangles = counted(count, "triangle");
     let (have, are) = if count == 1 { ("has", "is") } else { ("have", "are") };
     let headline = format!("{triangles} of `{file}` {have} no area and {are} left out");
     Diagnostic::warning(Code::MESH_DEGENERATE_TRIANGLES, headline)
@@ -240,7 +239,7 @@ pub fn degenerate(file: &str, count: u64, at: Span, field: Span) -> Diagnostic {
 
 /// Triangles that are there twice, left out.
 pub fn repeated(file: &str, count: u64, at: Span, field: Span) -> Diagnostic {
-    let triangles = counted(count, "triangle", "triangles");
+    let triangles = counted(count, "triangle");
     let (repeat, are) = if count == 1 { ("repeats", "is") } else { ("repeat", "are") };
     let headline = format!("{triangles} of `{file}` {repeat} earlier ones and {are} left out");
     Diagnostic::warning(Code::MESH_REPEATED_TRIANGLES, headline)
@@ -271,9 +270,11 @@ pub fn unknown_material(file: &str, name: &str, span: Span, names: &[String]) ->
     .label(span, "no such material there");
     let fault = match named.as_slice() {
         [] => fault.why("Its faces name no material."),
-        all => fault.why(format!("The materials of its faces: {}.", listed(all.iter().copied()))),
+        all => {
+            fault.why(format!("The materials of its faces: {}.", few(all.iter().copied(), TOLD)))
+        }
     };
-    match nearest(name, named) {
+    match near(name, named).first() {
         Some(near) => fault.help(format!("write `{near}`, if that is meant")),
         None if names.iter().all(String::is_empty) => {
             fault.help("write `material: …`, which replaces the material of all faces")
@@ -316,9 +317,12 @@ pub fn missing_material(
             .why(format!("`{file}` names no .mtl file, and the scene gives none."))
             .help(format!("{mend}, or name the file: `mtl: \"…\"`")),
         Some(names) => {
-            let has = listed(names.iter().copied());
+            let has = match names.is_empty() {
+                true => "none".into(),
+                false => few(names.iter().copied(), TOLD),
+            };
             let fault = fault.why(format!("The .mtl file defines {has}."));
-            match nearest(name, names.iter().copied()) {
+            match near(name, names.iter().copied()).first() {
                 Some(near) => {
                     fault.help(format!("write `usemtl {near}` if that is meant, or {mend}"))
                 }

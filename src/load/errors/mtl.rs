@@ -3,7 +3,9 @@
 use std::ops::Range;
 
 use super::super::materials::Place;
-use super::{counted, listed, nearest};
+use super::TOLD;
+use crate::diag::near;
+use crate::diag::words::{counted, few};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::files::Failure;
 use crate::files::mtl::{Fault, Material, STATEMENTS, What};
@@ -49,7 +51,7 @@ pub fn fault(
             Code::MTL_WRONG_COUNT,
             format!(
                 "`{statement}` {of} has {}; it needs {wanted}",
-                counted(*found as u64, "number", "numbers")
+                counted(*found as u64, "number")
             ),
             format!("needs {wanted}"),
             match statement.as_str() {
@@ -109,7 +111,7 @@ pub fn other_format(file: &str, asked: Span, failure: &Failure) -> Diagnostic {
 pub fn unknown(file: &str, word: &str, at: Span) -> Diagnostic {
     let headline = format!("`{word}` in `{file}` is not a statement of a .mtl file");
     Diagnostic::warning(Code::MTL_UNKNOWN_STATEMENT, headline).label(at, "has no effect").help(
-        match nearest(word, STATEMENTS.iter().copied()) {
+        match near(word, STATEMENTS.iter().copied()).first() {
             Some(near) => format!("write `{near}`, if that is meant"),
             None => "nothing to do if the program that wrote the file uses it for itself".into(),
         },
@@ -118,7 +120,7 @@ pub fn unknown(file: &str, word: &str, at: Span) -> Diagnostic {
 
 /// A Ka that is not zero, and a scene that does not say what it means.
 pub fn ambient(file: &str, shining: &[(&str, Place, &Material)], field: Span) -> Diagnostic {
-    let names = listed(shining.iter().map(|(name, ..)| *name));
+    let names = few(shining.iter().map(|(name, ..)| *name), TOLD);
     let materials = if shining.len() == 1 { "material" } else { "materials" };
     let mut fault = Diagnostic::error(
         Code::MTL_AMBIENT,
@@ -223,12 +225,12 @@ pub fn no_such_metal(name: &str, known: &[&str], at: Span, field: Span) -> Diagn
         false => name.to_string(),
     };
     let line = format!("`materials: {{ {quoted}: conductor {{ ior: complex(…, …) }} }}`");
-    match nearest(name, known.iter().copied()) {
+    match near(name, known.iter().copied()).first() {
         Some(near) => {
             told.help(format!("call it `{near}` in the file, if that is meant; else write {line}"))
         }
         None => {
-            told.help(format!("known are {}; else write {line}", listed(known.iter().copied())))
+            told.help(format!("known are {}; else write {line}", few(known.iter().copied(), TOLD)))
         }
     }
 }
@@ -246,7 +248,7 @@ pub fn no_such_medium(name: &str, known: &[&str], at: Span, field: Span) -> Diag
         false => name.to_string(),
     };
     let line = format!("`medium {quoted}: homogeneous {{ ior: … }}`");
-    match nearest(name, known.iter().copied()) {
+    match near(name, known.iter().copied()).first() {
         Some(near) => told.help(format!("write {line}; the scene has a medium `{near}`")),
         None => told.help(format!("write {line}")),
     }
