@@ -85,7 +85,7 @@ impl Perspective {
         let direction = aim.normalize();
         let empty = self.empty(direction);
         let origin = if empty > 0.0 { self.eye + direction * empty } else { self.eye };
-        Ray { origin: origin.as_vec3(), direction: direction.as_vec3(), t_max: f32::INFINITY }
+        Ray::new(origin.as_vec3(), direction.as_vec3())
     }
 
     /// Where the part of a line before the camera lies on the film.

@@ -39,7 +39,21 @@ impl Walker {
             Self::Avx2(lanes) => {
                 let (o, d) = (ray.origin, ray.direction);
                 // SAFETY: an `Avx2` is made only where the processor has these instructions.
-                unsafe { avx2::closest(lanes, geometry, o.x, o.y, o.z, d.x, d.y, d.z, ray.t_max) }
+                unsafe {
+                    avx2::closest(
+                        lanes,
+                        geometry,
+                        o.x,
+                        o.y,
+                        o.z,
+                        d.x,
+                        d.y,
+                        d.z,
+                        ray.t_max,
+                        ray.leaves,
+                        ray.reaches,
+                    )
+                }
             }
         }
     }
@@ -53,7 +67,21 @@ impl Walker {
             Self::Avx2(lanes) => {
                 let (o, d) = (ray.origin, ray.direction);
                 // SAFETY: as above.
-                unsafe { avx2::occluded(lanes, geometry, o.x, o.y, o.z, d.x, d.y, d.z, ray.t_max) }
+                unsafe {
+                    avx2::occluded(
+                        lanes,
+                        geometry,
+                        o.x,
+                        o.y,
+                        o.z,
+                        d.x,
+                        d.y,
+                        d.z,
+                        ray.t_max,
+                        ray.leaves,
+                        ray.reaches,
+                    )
+                }
             }
         }
     }
@@ -67,7 +95,21 @@ impl Walker {
             Self::Avx2(lanes) => {
                 let (o, d) = (ray.origin, ray.direction);
                 // SAFETY: as above.
-                unsafe { avx2::meet(lanes, geometry, o.x, o.y, o.z, d.x, d.y, d.z, ray.t_max) }
+                unsafe {
+                    avx2::meet(
+                        lanes,
+                        geometry,
+                        o.x,
+                        o.y,
+                        o.z,
+                        d.x,
+                        d.y,
+                        d.z,
+                        ray.t_max,
+                        ray.leaves,
+                        ray.reaches,
+                    )
+                }
             }
         }
     }
@@ -156,12 +198,12 @@ mod avx2 {
     use glam::Vec3;
 
     use crate::render::geometry::lanes::Avx2;
-    use crate::render::geometry::{Geometry, Hit, Meeting, Ray};
+    use crate::render::geometry::{Geometry, Hit, Meeting, Ray, Sheet};
 
     macro_rules! compiled {
         ($question:ident -> $answer:ty) => {
             #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
-            #[expect(clippy::too_many_arguments, reason = "they are seven numbers in registers")]
+            #[expect(clippy::too_many_arguments, reason = "they are nine numbers in registers")]
             pub fn $question(
                 lanes: Avx2,
                 geometry: &Geometry,
@@ -172,9 +214,12 @@ mod avx2 {
                 dy: f32,
                 dz: f32,
                 t_max: f32,
+                leaves: Sheet,
+                reaches: Sheet,
             ) -> $answer {
                 let (origin, direction) = (Vec3::new(ox, oy, oz), Vec3::new(dx, dy, dz));
-                super::$question(lanes, geometry, &Ray { origin, direction, t_max })
+                let ray = Ray { origin, direction, t_max, leaves, reaches };
+                super::$question(lanes, geometry, &ray)
             }
         };
     }

@@ -27,7 +27,7 @@ pub(super) struct Block {
     /// Axis, then corner; a lane a triangle. World units, as they were pushed; no numbers in lanes
     /// without a triangle, which are so never met.
     corners: [[[f32; LANES]; 3]; 3],
-    primitives: [Primitive; LANES],
+    primitives: [u32; LANES],
 }
 
 /// Lanes that a ray may meet.
@@ -44,9 +44,9 @@ impl Block {
     /// One to eight triangles.
     pub fn new(shapes: &Shapes, triangles: &[Primitive]) -> Self {
         let mut block =
-            Self { corners: [[[f32::NAN; LANES]; 3]; 3], primitives: [triangles[0]; LANES] };
+            Self { corners: [[[f32::NAN; LANES]; 3]; 3], primitives: [triangles[0].bits(); LANES] };
         for (lane, primitive) in triangles.iter().enumerate() {
-            block.primitives[lane] = *primitive;
+            block.primitives[lane] = primitive.bits();
             for (k, corner) in shapes.corners(primitive.index()).into_iter().enumerate() {
                 for (all, coordinate) in block.corners.iter_mut().zip(corner.to_array()) {
                     all[k][lane] = coordinate;
@@ -59,7 +59,13 @@ impl Block {
     /// The triangle of a lane.
     #[inline(always)]
     pub fn primitive(&self, lane: usize) -> Primitive {
-        self.primitives[lane]
+        Primitive::from_bits(self.primitives[lane])
+    }
+
+    /// A bit for each triangle that the ray is not to meet.
+    #[inline(always)]
+    pub fn left_out<L: Lanes>(&self, lanes: L, probe: &Probe) -> u32 {
+        lanes.either(&self.primitives, probe.left_out)
     }
 
     /// The same, for f64 to decide about.

@@ -13,7 +13,7 @@ use super::block::Block;
 use super::instance::{Instances, Standing};
 use super::lanes::{LANES, Lanes};
 use super::node::Node;
-use super::ray::{Probe, Surface};
+use super::ray::{Probe, Sheet, Surface};
 use super::shapes::{Kind, Primitive, Shapes};
 use super::template::Template;
 use super::tree::Tree;
@@ -108,6 +108,7 @@ impl Crowd {
             ns,
             uv: laid.unwrap_or(weights),
             primitive,
+            sheet: Sheet::NONE,
             object: owner.object,
             material: owner.material,
         }

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec2};
 
 use super::Bounds;
 use super::plane;
-use super::ray::{Point, Probe, Surface};
+use super::ray::{Point, Probe, Sheet, Surface};
 use super::rounding;
 use super::shapes::Disk;
 
@@ -24,7 +24,8 @@ pub(super) fn point(disk: &Disk, exact: DVec3) -> Point {
     let centre = disk.centre.as_dvec3();
     let magnitude = centre.abs() + f64::from(disk.radius);
     let (position, error) = rounding::position(exact, magnitude);
-    Point { position, error, ng: disk.normal.as_dvec3().normalize_or(DVec3::Z).as_vec3() }
+    let ng = disk.normal.as_dvec3().normalize_or(DVec3::Z).as_vec3();
+    Point { position, error, ng, sheet: Sheet::NONE }
 }
 
 /// The place where the ray meets it.

@@ -52,6 +52,9 @@ pub(super) trait Lanes: Copy {
     /// A bit for each lane where a ≤ b.
     fn at_most(self, a: Self::Eight, b: Self::Eight) -> u32;
 
+    /// A bit for each number that is one of two.
+    fn either(self, numbers: &[u32; LANES], two: [u32; 2]) -> u32;
+
     /// Which lanes remain, and what comes first of them.
     type Queue: Copy;
 
@@ -189,6 +192,12 @@ impl Lanes for Portable {
     #[inline(always)]
     fn at_most(self, a: Pair, b: Pair) -> u32 {
         a[0].cmple(b[0]).bitmask() | a[1].cmple(b[1]).bitmask() << 4
+    }
+
+    #[inline(always)]
+    fn either(self, numbers: &[u32; LANES], [a, b]: [u32; 2]) -> u32 {
+        let bit = |(lane, number): (usize, &u32)| u32::from(*number == a || *number == b) << lane;
+        numbers.iter().enumerate().map(bit).sum()
     }
 
     type Queue = [u16; LANES];
@@ -400,6 +409,14 @@ mod avx2 {
         #[inline(always)]
         fn at_most(self, a: __m256, b: __m256) -> u32 {
             run!(_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b))) as u32
+        }
+
+        #[inline(always)]
+        fn either(self, numbers: &[u32; LANES], [a, b]: [u32; 2]) -> u32 {
+            let all = run!(_mm256_loadu_si256(numbers.as_ptr().cast()));
+            let a = run!(_mm256_cmpeq_epi32(all, _mm256_set1_epi32(a as i32)));
+            let b = run!(_mm256_cmpeq_epi32(all, _mm256_set1_epi32(b as i32)));
+            run!(_mm256_movemask_ps(_mm256_castsi256_ps(_mm256_or_si256(a, b)))) as u32
         }
 
         type Queue = __m128i;

@@ -35,7 +35,7 @@ use glam::Vec3;
 
 pub use best::Meeting;
 pub use instance::{Instance, Placement};
-pub use ray::{Hit, Point, Ray, between};
+pub use ray::{Hit, Point, Ray, Sheet, between};
 pub use sample::{Facet, Form};
 pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 
@@ -201,6 +201,7 @@ impl Geometry {
             ns,
             uv,
             primitive,
+            sheet: Sheet::of(primitive),
             object: owner.object,
             material: owner.material,
         }

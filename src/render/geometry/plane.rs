@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec2};
 
-use super::ray::{Point, Probe, Surface};
+use super::ray::{Point, Probe, Sheet, Surface};
 use super::rounding;
 use super::shapes::Plane;
 
@@ -34,5 +34,5 @@ pub(super) fn surface(probe: &Probe, plane: &Plane) -> Surface {
     let magnitude = point.abs() + far.abs() + exact.abs();
     let (position, error) = rounding::position(exact, magnitude);
     let ng = normal.normalize_or(DVec3::Z).as_vec3();
-    Surface { point: Point { position, error, ng }, ns: ng, uv: Vec2::ZERO }
+    Surface { point: Point { position, error, ng, sheet: Sheet::NONE }, ns: ng, uv: Vec2::ZERO }
 }

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3, Vec2, Vec3, Vec3A};
 
 use super::rounding::{above, gamma_32};
-use super::shapes::Primitive;
+use super::shapes::{Kind, Primitive};
 
 /// A ray. It meets surfaces at t in the open interval (0, `t_max`).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,12 +14,39 @@ pub struct Ray {
     pub direction: Vec3,
     /// World units; may be +∞.
     pub t_max: f32,
+    /// What it leaves, and is not asked about again.
+    pub leaves: Sheet,
+    /// What it ends before, and is not asked about either.
+    pub reaches: Sheet,
 }
 
 impl Ray {
-    /// A ray without end.
+    /// A ray without end, from no surface that is known.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
-        Self { origin, direction, t_max: f32::INFINITY }
+        let (leaves, reaches) = (Sheet::NONE, Sheet::NONE);
+        Self { origin, direction, t_max: f32::INFINITY, leaves, reaches }
+    }
+}
+
+/// Names the triangle that a point is on, if it is on one. A ray that begins off a triangle on the
+/// side that it goes to never meets it; named, the triangle is left out without deciding that anew.
+/// Those of instances have no names, nor have surfaces that are met twice, such as spheres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sheet(u32);
+
+impl Sheet {
+    /// No triangle, or one without a name.
+    pub const NONE: Self = Self(u32::MAX);
+
+    /// A primitive of the geometry itself, not of an instance.
+    #[inline(always)]
+    pub fn of(primitive: Primitive) -> Self {
+        if primitive.kind() == Kind::Triangle { Self(primitive.bits()) } else { Self::NONE }
+    }
+
+    /// As a number: that of a triangle, or one that no triangle has.
+    pub(super) fn bits(self) -> u32 {
+        self.0
     }
 }
 
@@ -32,12 +59,14 @@ pub struct Point {
     pub error: Vec3,
     /// Geometric normal, unit length, on the front side; zero for a point on no surface.
     pub ng: Vec3,
+    /// The triangle it is on.
+    pub sheet: Sheet,
 }
 
 impl Point {
     /// A point on no surface: a camera, or a lamp without extent.
     pub fn free(position: Vec3) -> Self {
-        Self { position, error: Vec3::ZERO, ng: Vec3::ZERO }
+        Self { position, error: Vec3::ZERO, ng: Vec3::ZERO, sheet: Sheet::NONE }
     }
 
     /// The origin of a ray that leaves along `direction` (any length): the point itself, moved
@@ -53,6 +82,12 @@ impl Point {
         let step = moved.abs() * f32::EPSILON + Vec3A::splat(f32::MIN_POSITIVE);
         let step = Vec3A::select(offset.cmpeq(Vec3A::ZERO), Vec3A::ZERO, step.copysign(offset));
         (moved + step).into()
+    }
+
+    /// The ray that leaves along `direction` (unit), without end.
+    #[inline]
+    pub fn ray(&self, direction: Vec3) -> Ray {
+        Ray { leaves: self.sheet, ..Ray::new(self.leave(direction), direction) }
     }
 }
 
@@ -74,6 +109,8 @@ pub struct Hit {
     pub uv: DVec2,
     /// What was met; of an instance, the triangle by its number in the mesh.
     pub primitive: Primitive,
+    /// The name of that, for rays that leave it.
+    pub sheet: Sheet,
     /// Number of the object it belongs to.
     pub object: u32,
     /// Number of its material.
@@ -84,7 +121,7 @@ impl Hit {
     /// The point of the surface alone.
     #[inline]
     pub fn point(&self) -> Point {
-        Point { position: self.position, error: self.error, ng: self.ng }
+        Point { position: self.position, error: self.error, ng: self.ng, sheet: self.sheet }
     }
 
     /// The origin of a ray that leaves along `direction`; see [`Point::leave`].
@@ -96,7 +133,7 @@ impl Hit {
     /// The ray that leaves along `direction` (unit), without end.
     #[inline]
     pub fn ray(&self, direction: Vec3) -> Ray {
-        Ray::new(self.leave(direction), direction)
+        self.point().ray(direction)
     }
 }
 
@@ -114,9 +151,15 @@ pub fn between(from: &Point, to: &Point) -> Ray {
     let span = end.as_dvec3() - start;
     let length = span.length();
     let Some(direction) = span.try_normalize() else {
-        return Ray { origin, direction: Vec3::Z, t_max: 0.0 };
+        return Ray { t_max: 0.0, ..Ray::new(origin, Vec3::Z) };
     };
-    Ray { origin, direction: direction.as_vec3(), t_max: (length as f32).next_down().max(0.0) }
+    Ray {
+        origin,
+        direction: direction.as_vec3(),
+        t_max: (length as f32).next_down().max(0.0),
+        leaves: from.sheet,
+        reaches: to.sheet,
+    }
 }
 
 /// A ray as the shapes want it: in f64, where f32 coordinates and their differences are exact, and
@@ -136,6 +179,8 @@ pub(super) struct Probe {
     pub shear: [f32; 2],
     /// The parameter per unit of depth.
     pub per_depth: f32,
+    /// Triangles that are not met, by their numbers.
+    pub left_out: [u32; 2],
     /// Whether coordinates are so great that their squares may be no numbers in f32.
     pub extreme: bool,
 }
@@ -169,6 +214,7 @@ impl Probe {
             turned: [o[x as usize], o[y as usize], o[z as usize]],
             shear: [d[x as usize] * per_depth, d[y as usize] * per_depth],
             per_depth,
+            left_out: [ray.leaves.bits(), ray.reaches.bits()],
             extreme,
         })
     }

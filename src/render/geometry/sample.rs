@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec2, Vec3};
 
 use super::shapes::Kind;
-use super::{Geometry, Point, Primitive};
+use super::{Geometry, Point, Primitive, Sheet};
 use super::{disk, rounding, sphere, triangle};
 use crate::math::warp;
 
@@ -38,21 +38,23 @@ pub struct Facet {
     /// Sum of the magnitudes that make its points, per coordinate.
     magnitude: DVec3,
     ng: Vec3,
+    sheet: Sheet,
 }
 
 impl Facet {
-    /// With these corners.
-    pub fn of(corners: [DVec3; 3]) -> Self {
+    /// A triangle with these corners.
+    pub fn of(primitive: Primitive, corners: [DVec3; 3]) -> Self {
         let [a, b, c] = corners;
         let ng = triangle::normal(corners).normalize_or(DVec3::Z).as_vec3();
-        Self { magnitude: a.abs() + b.abs() + c.abs(), ng }
+        let sheet = Sheet::of(primitive);
+        Self { magnitude: a.abs() + b.abs() + c.abs(), ng, sheet }
     }
 
     /// A point of it that was computed in f64 from its form.
     #[inline(always)]
     pub fn point(&self, exact: DVec3) -> Point {
         let (position, error) = rounding::position(exact, self.magnitude);
-        Point { position, error, ng: self.ng }
+        Point { position, error, ng: self.ng, sheet: self.sheet }
     }
 }
 
@@ -81,7 +83,7 @@ impl Geometry {
     pub fn point(&self, primitive: Primitive, exact: DVec3) -> Point {
         let index = primitive.index();
         match primitive.kind() {
-            Kind::Triangle => Facet::of(self.shapes.exact_corners(index)).point(exact),
+            Kind::Triangle => Facet::of(primitive, self.shapes.exact_corners(index)).point(exact),
             Kind::Sphere => {
                 let sphere = &self.shapes.spheres[index];
                 let normal = (exact - sphere.centre.as_dvec3()).normalize_or(DVec3::Z);

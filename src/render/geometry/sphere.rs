@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::{DVec3, Vec2};
 
 use super::Bounds;
-use super::ray::{Point, Probe, Surface};
+use super::ray::{Point, Probe, Sheet, Surface};
 use super::rounding;
 use super::shapes::Sphere;
 
@@ -44,7 +44,7 @@ pub(super) fn point(sphere: &Sphere, normal: DVec3) -> Point {
     let radius = f64::from(sphere.radius);
     let exact = centre + radius * normal;
     let (position, error) = rounding::position(exact, centre.abs() + radius);
-    Point { position, error, ng: normal.as_vec3() }
+    Point { position, error, ng: normal.as_vec3(), sheet: Sheet::NONE }
 }
 
 /// The place where the ray meets it.

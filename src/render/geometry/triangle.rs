@@ -4,7 +4,7 @@ use glam::{DVec3, Vec2, Vec3};
 
 use super::Bounds;
 use super::lanes::Lanes;
-use super::ray::{Point, Probe, Surface};
+use super::ray::{Point, Probe, Sheet, Surface};
 use super::rounding;
 
 /// A triangle taken from its block.
@@ -117,7 +117,7 @@ impl Face {
             None => lanes.exact_round(ng).into(),
             Some(normals) => shading_normal(lanes.exact_store(ng), normals, [u, v, w]),
         };
-        let point = Point { position, error, ng: lanes.exact_round(ng).into() };
+        let point = Point { position, error, ng: lanes.exact_round(ng).into(), sheet: Sheet::NONE };
         (Surface { point, ns, uv: Vec2::new(v as f32, w as f32) }, t)
     }
 }

@@ -267,6 +267,11 @@ fn meet_block<L: Lanes, const ANY: bool>(lanes: L, world: &mut World<ANY>, numbe
     if possible == 0 {
         return false;
     }
+    let left_out = blocks[number].left_out(lanes, world.probe);
+    let (possible, inside) = (possible & !left_out, inside & !left_out);
+    if possible == 0 {
+        return false;
+    }
     let tiny = lanes.splat(f32::MIN_POSITIVE);
     let ahead = inside & lanes.at_most(tiny, least);
     let behind = inside & lanes.at_most(most, lanes.sub(lanes.splat(0.0), tiny));

@@ -216,7 +216,7 @@ impl Branch {
     /// surface.
     #[inline]
     pub fn turn(&mut self, site: &Site, way: &Scattered, rays: u32) {
-        self.ray = Ray::new(site.point.leave(way.wi), way.wi);
+        self.ray = site.point.ray(way.wi);
         self.throughput = self.throughput * way.weight * way.squeeze;
         self.squeeze *= way.squeeze;
         if way.pdf_w == 0.0 {

@@ -94,8 +94,7 @@ impl Direct {
             let fan = stream.fan(ambient.rays);
             for nth in 0..ambient.rays {
                 let Some(way) = bsdf.sample(Part::Scattering, fan.four(nth)) else { continue };
-                let ray =
-                    Ray { t_max: ambient.distance, ..Ray::new(site.point.leave(way.wi), way.wi) };
+                let ray = Ray { t_max: ambient.distance, ..site.point.ray(way.wi) };
                 let light = way.weight * world.lights.ambient(way.wi);
                 carrier.counts.shadow_rays += 1;
                 if !light.is_black() && !world.geometry.occluded(&ray) {

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{Arrival, Point, Ray};
+use super::{Arrival, Point};
 use crate::math::Rgb;
 
 /// Light of one direction.
@@ -16,7 +16,7 @@ pub struct Directional {
 
 impl Directional {
     pub(super) fn arrive(&self, at: &Point) -> Arrival {
-        let shadow = Ray::new(at.leave(self.to_light), self.to_light);
+        let shadow = at.ray(self.to_light);
         Arrival { wi: self.to_light, irradiance: self.irradiance, pdf_w: 0.0, shadow }
     }
 }

@@ -7,7 +7,7 @@ use super::flat::Sampled;
 use super::patch::Patch;
 use super::{Arrival, Emitter, Geometry, Hit, Point, Site, between};
 use crate::math::Rgb;
-use crate::render::geometry::Primitive;
+use crate::render::geometry::{Primitive, Sheet};
 
 /// Surfaces that shine with the same radiance everywhere.
 #[derive(Clone, Debug)]
@@ -130,7 +130,7 @@ impl Centre {
     pub fn new(centroid: DVec3, facing: DVec3, reach: DVec3) -> Self {
         let error = (reach.as_vec3() * f32::EPSILON).map(f32::next_up);
         let ng = facing.normalize_or_zero().as_vec3();
-        Self { point: Point { position: centroid.as_vec3(), error, ng } }
+        Self { point: Point { position: centroid.as_vec3(), error, ng, sheet: Sheet::NONE } }
     }
 
     /// The direction the lamp faces.

@@ -125,7 +125,7 @@ impl Rectangle {
         Some(Self {
             flat: Flat { at: a, normal, area: cross.length() },
             triangles,
-            facets: [Facet::of([a, b, c]), Facet::of([a, c, d])],
+            facets: [Facet::of(first, [a, b, c]), Facet::of(second, [a, c, d])],
             edges,
             axes: [x, y],
             size: [long, v.dot(y)],

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 
-use super::{Arrival, Disc, Ray, Site, Sky};
+use super::{Arrival, Disc, Site, Sky};
 use crate::math::{Rgb, random, warp};
 
 /// Light from around the scene.
@@ -74,7 +74,7 @@ impl Surroundings {
         if pdf_w <= 0.0 {
             return None;
         }
-        let shadow = Ray::new(site.point.leave(wi), wi);
+        let shadow = site.point.ray(wi);
         Some(Arrival { wi, irradiance: radiance / pdf_w, pdf_w, shadow })
     }
 

@@ -102,7 +102,8 @@ impl Triangle {
     #[inline(never)]
     pub fn sample(&self, (site, both): (&Site, bool), u: [f64; 2]) -> Option<Sampled> {
         let from = site.point.position.as_dvec3();
-        let (cross, facet, [a, b, c]) = (self.cross(), Facet::of(self.corners), self.corners);
+        let (cross, facet, [a, b, c]) =
+            (self.cross(), Facet::of(self.primitive, self.corners), self.corners);
         let on = |weights: DVec2| facet.point(a + weights.x * (b - a) + weights.y * (c - a));
         let Some(solid) = self.solid(cross, site, both)? else {
             let weights = warp::square_to_triangle(Vec2::from_array(u.map(random::unit_f32)));

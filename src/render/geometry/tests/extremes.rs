@@ -180,7 +180,7 @@ fn numbers_that_are_none_do_no_harm() {
         for direction in [Vec3::Z, Vec3::ZERO, Vec3::splat(x), Vec3::new(0.0, x, 1.0)] {
             for origin in [Vec3::NEG_Z, Vec3::splat(x)] {
                 for t_max in bad {
-                    let ray = Ray { origin, direction, t_max };
+                    let ray = Ray { t_max, ..Ray::new(origin, direction) };
                     geometry.closest(&ray);
                     geometry.occluded(&ray);
                 }

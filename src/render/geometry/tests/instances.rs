@@ -7,7 +7,7 @@ use glam::{DAffine3, DMat3, DQuat, DVec3, Vec2};
 use super::meshes::{Chance, Mesh};
 use crate::math::{self, Transform};
 use crate::render::geometry::{
-    Bounds, Disk, Geometry, Hit, Instance, Owner, Placement, Ray, Shapes, Sphere, Triangle,
+    Bounds, Disk, Geometry, Hit, Instance, Owner, Placement, Ray, Shapes, Sheet, Sphere, Triangle,
 };
 
 /// A mesh with normals, some of them missing, with coordinates and two slots.
@@ -91,10 +91,10 @@ impl Scene {
     }
 }
 
-/// All but the number of the primitive, which a copy has of its own.
+/// All but the number of the primitive and its name, which a copy has of its own.
 fn told(hit: Option<Hit>) -> Option<Hit> {
     let nobody = crate::render::geometry::Primitive::new(super::super::Kind::Plane, 0);
-    hit.map(|hit| Hit { primitive: nobody, ..hit })
+    hit.map(|hit| Hit { primitive: nobody, sheet: Sheet::NONE, ..hit })
 }
 
 /// Rays from outside, between the surfaces, and along the axes.

@@ -61,6 +61,8 @@ fn meet(geometry: &Geometry, chance: &mut Chance, aim: Vec3, scale: f64) -> Opti
     geometry.closest(&ray)
 }
 
+// Rays in these tests don't know what they leave, but where it is said.
+
 #[test]
 fn flat_shapes_are_left_for_good() {
     let mut chance = Chance::new(11);
@@ -73,7 +75,7 @@ fn flat_shapes_are_left_for_good() {
                 for _ in 0..50 {
                     let Some(hit) = meet(&geometry, &mut chance, aim, scale) else { continue };
                     let cosine = cosine(&mut chance);
-                    let ray = hit.ray(at_cosine(&mut chance, hit.ng, cosine));
+                    let ray = super::unnamed(hit.ray(at_cosine(&mut chance, hit.ng, cosine)));
                     assert!(!geometry.occluded(&ray), "{kind:?} × {scale}, cosine {cosine}");
                     left += 1;
                 }
@@ -101,7 +103,7 @@ fn a_triangle_through_the_origin_is_left_there_for_good() {
             };
             assert!(hit.position.length() < 1e-12, "{hit:?}");
             let cosine = cosine(&mut chance);
-            let ray = hit.ray(at_cosine(&mut chance, hit.ng, cosine));
+            let ray = super::unnamed(hit.ray(at_cosine(&mut chance, hit.ng, cosine)));
             assert!(!geometry.occluded(&ray), "{hit:?}, cosine {cosine}");
         }
     }
@@ -118,7 +120,8 @@ fn spheres_are_left_outwards_for_good_and_inwards_to_the_far_side() {
         for _ in 0..3000 {
             let Some(hit) = meet(&geometry, &mut chance, centre, scale) else { continue };
             let cosine = cosine(&mut chance);
-            let again = geometry.closest(&hit.ray(at_cosine(&mut chance, hit.ng, cosine)));
+            let again =
+                geometry.closest(&super::unnamed(hit.ray(at_cosine(&mut chance, hit.ng, cosine))));
             if cosine > 0.0 {
                 assert_eq!(again, None, "× {scale} + {offset}, cosine {cosine}");
             } else if cosine < -1e-3 {
@@ -157,7 +160,7 @@ fn a_sheet_close_above_is_never_skipped() {
                 let on = |sheet: [Primitive; 2]| sheet.contains(&hit.primitive);
                 let into = if on(sheets[0]) { hit.ng } else { -hit.ng };
                 let cosine = 10_f64.powf(-2.0 * chance.unit());
-                let between = hit.ray(at_cosine(&mut chance, into, cosine));
+                let between = super::unnamed(hit.ray(at_cosine(&mut chance, into, cosine)));
                 let other = geometry.closest(&between).expect("the other sheet is there");
                 assert_ne!(on(sheets[0]), sheets[0].contains(&other.primitive), "{between:?}");
             }
@@ -183,7 +186,7 @@ fn a_skin_close_around_a_mesh_is_never_skipped() {
             assert_eq!(hit.object, 0);
             let cosine = 0.05 + 0.95 * chance.unit();
             let out = at_cosine(&mut chance, hit.ng, cosine);
-            let next = geometry.closest(&hit.ray(out)).expect("the skin is closed");
+            let next = geometry.closest(&super::unnamed(hit.ray(out))).expect("the skin is closed");
             tried += 1;
             assert!(next.t > 0.0);
         }
@@ -212,14 +215,14 @@ fn shadow_rays_see_whatever_is_there_to_see() {
             let way = to.position - from.position;
             let steep = |p: &Point| way.normalize_or_zero().dot(p.ng).abs() > 0.01;
             if steep(&from) && steep(&to) && way.length() as f64 > 0.1 * scale {
-                assert!(!open.occluded(&between(&from, &to)), "{from:?} {to:?}");
+                assert!(!open.occluded(&super::unnamed(between(&from, &to))), "{from:?} {to:?}");
                 seen += 1;
             }
             let lamp = Point::free((centre + 0.3 * scale * chance.cube()).as_vec3());
-            assert!(!open.occluded(&between(&from, &lamp)));
-            assert!(!open.occluded(&between(&lamp, &to)));
+            assert!(!open.occluded(&super::unnamed(between(&from, &lamp))));
+            assert!(!open.occluded(&super::unnamed(between(&lamp, &to))));
             let outside = open.sample(sphere, chance.square()).unwrap();
-            assert!(open.occluded(&between(&lamp, &outside)), "through a wall");
+            assert!(open.occluded(&super::unnamed(between(&lamp, &outside))), "through a wall");
         }
         assert!(seen > 1500, "only {seen}");
     }
@@ -245,7 +248,10 @@ fn a_long_shadow_ray_ends_before_a_surface_through_the_origin() {
             }
             let away = at_cosine(&mut chance, normal, cosine) * (50.0 * scale) as f32;
             let from = Point::free(to.position + away);
-            assert!(!geometry.occluded(&between(&from, &to)), "cosine {cosine} × {scale}");
+            assert!(
+                !geometry.occluded(&super::unnamed(between(&from, &to))),
+                "cosine {cosine} × {scale}"
+            );
         }
     }
 }
@@ -258,4 +264,28 @@ fn points_at_one_place_have_nothing_between_them() {
     assert!((ray.direction.length() - 1.0).abs() < 1e-6);
     let geometry = Geometry::build(Mesh::icosphere(0).shapes());
     assert!(!geometry.occluded(&ray));
+}
+
+/// A name changes no answer: what it leaves out is not met.
+#[test]
+fn names_of_surfaces_left_and_reached_change_no_answer() {
+    let mut chance = Chance::new(18);
+    for (scale, offset) in SCALES.iter().flat_map(|s| OFFSETS.map(|o| (*s, o))) {
+        let centre = scale * offset * chance.cube();
+        let geometry = Geometry::build(Mesh::bumpy(3).placed(scale, centre).shapes());
+        let mut named = 0;
+        for _ in 0..300 {
+            let aim = (centre + 0.3 * scale * chance.cube()).as_vec3();
+            let Some(from) = meet(&geometry, &mut chance, aim, scale) else { continue };
+            let cosine = cosine(&mut chance);
+            let ray = from.ray(at_cosine(&mut chance, from.ng, cosine));
+            assert_eq!(geometry.closest(&ray), geometry.closest(&super::unnamed(ray)), "{ray:?}");
+            let Some(to) = meet(&geometry, &mut chance, aim, scale) else { continue };
+            let ray = between(&from.point(), &to.point());
+            let expected = geometry.occluded(&super::unnamed(ray));
+            assert_eq!(geometry.occluded(&ray), expected, "{ray:?}");
+            named += usize::from([ray.leaves, ray.reaches] == [from.sheet, to.sheet]);
+        }
+        assert!(named > 100, "{named}");
+    }
 }

@@ -12,7 +12,7 @@ mod watertight;
 
 use glam::{DVec3, Vec3};
 
-use super::{Geometry, Primitive, Ray};
+use super::{Geometry, Primitive, Ray, Sheet};
 
 /// The first meeting by asking every shape, without a tree.
 fn by_hand(geometry: &Geometry, ray: &Ray) -> Option<(f32, Primitive)> {
@@ -28,6 +28,11 @@ fn by_hand(geometry: &Geometry, ray: &Ray) -> Option<(f32, Primitive)> {
     };
     let all = shapes.primitives().filter_map(|p| Some((meet(p)?, p)));
     all.filter(|(t, _)| *t < ray.t_max).min_by(|a, b| a.partial_cmp(b).unwrap())
+}
+
+/// The same, that knows nothing of surfaces at its ends.
+fn unnamed(ray: Ray) -> Ray {
+    Ray { leaves: Sheet::NONE, reaches: Sheet::NONE, ..ray }
 }
 
 /// A ray from one place towards another, and the distance between them.
