@@ -44,21 +44,17 @@ pub(super) fn find(
             if may(skins[0], skins[1]) {
                 return;
             }
-            // Where two bodies have edges in common they may have the faces between them.
-            let apart = solids.sheets[item] != solids.sheets[other];
             match meet(surfaces, item, other, together) {
                 Some(Contact::Cross(at)) => found = Some(Meeting { skins, at, coincide: false }),
-                Some(Contact::On { at, same_way }) if apart || same_way => {
-                    found = Some(Meeting { skins, at, coincide: true });
-                }
-                Some(Contact::On { .. }) | None => {}
+                Some(Contact::On(at)) => found = Some(Meeting { skins, at, coincide: true }),
                 Some(Contact::Touch(_)) => touched.store(true, Ordering::Relaxed),
+                None => {}
             }
         });
         found
     });
     let hidden = || touched.into_inner().then(|| straddling::find(solids, may, together)).flatten();
-    first.or_else(|| walls(solids, may)).or_else(hidden)
+    first.or_else(|| walls(solids, may, together)).or_else(hidden)
 }
 
 /// The items that one may meet: each pair of them once.
@@ -98,7 +94,7 @@ pub(super) fn meet(surfaces: &Surfaces, one: Item, other: Item, together: f64) -
             let difference = (one.radius - other.radius).abs();
             if apart + difference <= touch.max(together) {
                 let at = one.centre + one.radius * DVec3::X;
-                return Some(Contact::On { at, same_way: true });
+                return Some(Contact::On(at));
             }
             let crosses = apart < sum - touch && apart > difference + touch;
             // On the circle that they have in common.
@@ -121,7 +117,13 @@ fn pierced(centre: DVec3, radius: f64, corners: [DVec3; 3]) -> Option<DVec3> {
     let near = nearest(centre, corners);
     let touch = TOUCH * radius;
     let crosses = near.distance(centre) < radius - touch && far.distance(centre) > radius + touch;
-    crosses.then_some(0.5 * (near + far))
+    crosses.then(|| {
+        // Where the way from within to without leaves the sphere.
+        let (from, way) = (near - centre, far - near);
+        let (a, b) = (way.length_squared(), from.dot(way));
+        let c = from.length_squared() - radius * radius;
+        near + way * ((-b + (b * b - a * c).max(0.0).sqrt()) / a).clamp(0.0, 1.0)
+    })
 }
 
 /// The point of a triangle that is nearest to another point [Ericson05, 5.1.5].
@@ -143,28 +145,53 @@ pub(super) fn nearest(p: DVec3, [a, b, c]: [DVec3; 3]) -> DVec3 {
 }
 
 /// The same with planes.
-fn walls(solids: &Solids, may: &(dyn Fn(u32, u32) -> bool + Sync)) -> Option<Meeting> {
+fn walls(
+    solids: &Solids,
+    may: &(dyn Fn(u32, u32) -> bool + Sync),
+    together: f64,
+) -> Option<Meeting> {
     let surfaces = solids.surfaces;
     for (i, wall) in surfaces.walls.iter().enumerate() {
         for other in &surfaces.walls[..i] {
-            let apart = wall.normal.dot(other.point - wall.point).abs();
-            let size = wall.point.distance(other.point).max(1.0);
             let parallel = wall.normal.cross(other.normal).length() <= TOUCH;
-            let coincide = parallel && apart <= TOUCH * size;
+            let coincide = is_one(wall, other, together);
             if (!parallel || coincide) && !may(other.skin, wall.skin) {
-                let skins = [other.skin, wall.skin];
-                return Some(Meeting { skins, at: wall.point, coincide });
+                // Along the plane, square to the line that they have in common.
+                let way = other.normal - wall.normal.dot(other.normal) * wall.normal;
+                let far = other.normal.dot(other.point - wall.point) / way.dot(other.normal);
+                let at = if parallel { wall.point } else { wall.point + far * way };
+                return Some(Meeting { skins: [other.skin, wall.skin], at, coincide });
             }
         }
         if let Some((item, at)) = cut(solids, wall, may) {
             let skins = [skin(surfaces, item), wall.skin];
             return Some(Meeting { skins, at, coincide: false });
         }
+        let mut faces = 0..surfaces.faces.len();
+        let on = |face: &Item| {
+            !may(surfaces.faces[*face].skin, wall.skin) && lies_on(surfaces, *face, wall, together)
+        };
+        if let Some(face) = faces.find(on) {
+            let skins = [surfaces.faces[face].skin, wall.skin];
+            return Some(Meeting { skins, at: solids.place(face), coincide: true });
+        }
     }
     None
 }
 
-/// A ball or a face that a plane cuts.
+/// Whether two planes lie on each other.
+pub(super) fn is_one(one: &Wall, other: &Wall, together: f64) -> bool {
+    let apart = one.normal.dot(other.point - one.point).abs();
+    one.normal.cross(other.normal).length() <= TOUCH && apart <= together
+}
+
+/// Whether a face lies in a plane.
+pub(super) fn lies_on(surfaces: &Surfaces, face: Item, wall: &Wall, together: f64) -> bool {
+    let near = |p: DVec3| wall.normal.dot(p - wall.point).abs() <= together;
+    surfaces.corners(face).into_iter().all(near)
+}
+
+/// A ball or a face that a plane cuts, and a place where it does.
 fn cut(
     solids: &Solids,
     wall: &Wall,
@@ -175,22 +202,40 @@ fn cut(
     let balls = surfaces.balls.iter().enumerate().find_map(|(i, ball)| {
         let off = height(ball.centre);
         let cuts = off.abs() < ball.radius * (1.0 - TOUCH) && !may(ball.skin, wall.skin);
-        cuts.then(|| (surfaces.faces.len() + i, ball.centre - off * wall.normal))
+        cuts.then(|| {
+            // On the circle that they have in common.
+            let out = (ball.radius * ball.radius - off * off).max(0.0).sqrt();
+            let middle = ball.centre - off * wall.normal;
+            (surfaces.faces.len() + i, middle + out * wall.normal.any_orthonormal_vector())
+        })
     });
     balls.or_else(|| {
         // Whether each piece goes above the plane, and below it.
         let mut reach: HashMap<u32, [bool; 2]> = HashMap::new();
-        (0..surfaces.faces.len()).find_map(|face| {
-            if may(surfaces.faces[face].skin, wall.skin) {
-                return None;
+        let face = (0..surfaces.faces.len()).find(|face| {
+            if may(surfaces.faces[*face].skin, wall.skin) {
+                return false;
             }
-            let corners = surfaces.corners(face);
+            let corners = surfaces.corners(*face);
             let heights = corners.map(height);
             let touch = TOUCH * Bounds::around(corners).size();
-            let [above, below] = reach.entry(solids.pieces[face]).or_default();
+            let [above, below] = reach.entry(solids.pieces[*face]).or_default();
             *above |= heights.iter().any(|h| *h > touch);
             *below |= heights.iter().any(|h| *h < -touch);
-            (*above && *below).then(|| (face, (corners[0] + corners[1] + corners[2]) / 3.0))
-        })
+            *above && *below
+        })?;
+        // It may be the first below all that are above: some edge of the piece comes through.
+        let piece =
+            (0..surfaces.faces.len()).filter(|it| solids.pieces[*it] == solids.pieces[face]);
+        let through = |face: Item| {
+            let corners = surfaces.corners(face);
+            (0..3).find_map(|i| {
+                let (from, to) = (corners[i], corners[(i + 1) % 3]);
+                let (high, low) = (height(from), height(to));
+                (high * low <= 0.0 && high != low).then(|| from.lerp(to, high / (high - low)))
+            })
+        };
+        let at = piece.into_iter().find_map(through).unwrap_or_else(|| solids.place(face));
+        Some((face, at))
     })
 }

@@ -62,13 +62,14 @@ impl Flat {
 
     /// Whether both have some part in common.
     pub fn overlaps(&self, other: &Self) -> bool {
-        self.overlaps_within(other, 0.0)
+        self.common(other, 0.0).is_some()
     }
 
-    /// The same; nearer to each other than `together`, in metres, they are in one plane.
-    pub fn overlaps_within(&self, other: &Self, together: f64) -> bool {
+    /// The middle of the part that both have in common; nearer to each other than `together`, in
+    /// metres, they are in one plane.
+    pub fn common(&self, other: &Self, together: f64) -> Option<DVec3> {
         if self.normal.cross(other.normal).length() > Self::PARALLEL {
-            return false;
+            return None;
         }
         // Two planes are measured by where their points are.
         let size = match self.size().max(other.size()) {
@@ -77,10 +78,11 @@ impl Flat {
         };
         let apart = (other.point - self.point).dot(self.normal).abs();
         if apart > together.max(TOGETHER * size) {
-            return false;
+            return None;
         }
         if self.corners.is_empty() || other.corners.is_empty() {
-            return true;
+            let bounded = if self.corners.is_empty() { other } else { self };
+            return Some(bounded.middle());
         }
         let (u, v) = self.normal.any_orthonormal_pair();
         let flatten = |flat: &Self| -> Vec<DVec2> {
@@ -93,7 +95,18 @@ impl Flat {
         };
         let (mine, theirs) = (flatten(self), flatten(other));
         let common = clipped(mine.clone(), &theirs);
-        area(&common) > LEAST * area(&mine).min(area(&theirs))
+        let overlap = area(&common) > LEAST * area(&mine).min(area(&theirs));
+        overlap.then(|| {
+            let middle = common.iter().sum::<DVec2>() / common.len() as f64;
+            self.point + middle.x * u + middle.y * v
+        })
+    }
+
+    fn middle(&self) -> DVec3 {
+        match self.corners.len() {
+            0 => self.point,
+            count => self.corners.iter().sum::<DVec3>() / count as f64,
+        }
     }
 }
 
@@ -140,6 +153,8 @@ mod tests {
         assert!(one.overlaps(&square(0.2, 0.0, 0.1)) && square(0.2, 0.0, 0.1).overlaps(&one));
         assert!(!one.overlaps(&square(1.0, 0.0, 1.0)));
         assert!(!one.overlaps(&square(0.5, 0.001, 1.0)));
+        let middle = one.common(&square(0.5, 0.0, 1.0), 0.0).unwrap();
+        assert!(middle.distance(DVec3::new(0.75, 0.0, 0.5)) < 1e-12, "{middle}");
         let plane = Flat { point: DVec3::X * 9.0, normal: -DVec3::Y, corners: Vec::new() };
         assert!(one.overlaps(&plane) && plane.overlaps(&one) && plane.overlaps(&plane));
         assert!(!plane.overlaps(&square(0.0, 1e-3, 1.0)));

@@ -8,15 +8,16 @@ use rayon::prelude::*;
 use super::closing::{Reach, moved};
 use super::crossing;
 use super::errors::matter as errors;
+use super::flush::{self, Flush, Pushed};
 use super::overlaps::Overlaps;
 use super::placed::{Body, Placed};
 use super::seams::{Open, Seams};
 use super::solids::Solids;
 use super::surfaces::{Media, SURROUNDINGS, Skin, Surfaces};
+use super::view;
 use super::yields::Yields;
 use crate::diag::Diagnostic;
 use crate::load::Stage;
-use crate::math::Bounds;
 use crate::scene::{At, Medium, Named};
 
 /// Part of half the size of a scene that rounding takes: five steps of single precision below 1.
@@ -86,8 +87,13 @@ impl<'a> Matter<'a> {
             found.push(errors::disk(owner.name()));
         }
         let yields = Yields::of(placed);
+        let together = together(stage, placed);
         let (mut seams, closed) = matter.close(&mut surfaces, found);
         if !closed || !surfaces.disks.is_empty() {
+            return matter;
+        }
+        if let Err(fault) = matter.part(&mut surfaces, &mut seams, &yields, together) {
+            found.push(fault);
             return matter;
         }
         let solids = Solids::of(&surfaces, &mut seams, &yields);
@@ -95,15 +101,17 @@ impl<'a> Matter<'a> {
             let [one, other] = [one, other].map(|skin| surfaces.skins[skin as usize].object);
             one != other && yields.are_related(one, other)
         };
-        let together = together(placed);
         if solids.could_meet(together)
             && let Some(meeting) = crossing::find(&solids, &may, together)
         {
-            let names = meeting.skins.map(|skin| {
-                let skin = &surfaces.skins[skin as usize];
-                (surfaces.owner(skin).name(), medium_name(&matter.media, skin.inside))
+            let skins = meeting.skins.map(|skin| &surfaces.skins[skin as usize]);
+            let names = skins.map(|skin| surfaces.owner(skin).name());
+            let inside = medium_name(&matter.media, skins[0].inside);
+            let flat = skins.iter().any(|skin| surfaces.owner(skin).has_corners());
+            found.push(match meeting.coincide {
+                true => errors::coincide(names, (inside, flat), meeting.at, together),
+                false => errors::cross(names, meeting.at),
             });
-            found.push(errors::meeting(names, meeting.at, meeting.coincide.then_some(together)));
             return matter;
         }
         if let Some(solid) = solids.inside_out() {
@@ -233,6 +241,40 @@ impl<'a> Matter<'a> {
         (seams, media.is_empty())
     }
 
+    /// Parts surfaces that lie on each other, where one of the two bodies ends at the other.
+    fn part(
+        &mut self,
+        surfaces: &mut Surfaces,
+        seams: &mut Seams,
+        yields: &Yields,
+        together: f64,
+    ) -> Result<(), Diagnostic> {
+        if yields.is_empty() {
+            return Ok(());
+        }
+        let solids = Solids::of(surfaces, seams, yields);
+        let all = flush::find(&solids, yields, together);
+        let Some(first) = all.first() else { return Ok(()) };
+        let placed = surfaces.placed;
+        let stays = |flush: &Flush| {
+            let names = flush.objects.map(|object| placed[object as usize].name());
+            Err(errors::flush(names, flush.at))
+        };
+        let pushed = match Pushed::of(&solids, &all, together) {
+            Ok(pushed) => pushed,
+            Err(flush) => return stays(&flush),
+        };
+        pushed.push(surfaces, |corner, to| {
+            self.moved.insert(corner, to);
+        });
+        *seams = Seams::of(surfaces);
+        if !seams.open.is_empty() {
+            return stays(first);
+        }
+        let solids = Solids::of(surfaces, seams, yields);
+        flush::find(&solids, yields, together).first().map_or(Ok(()), stays)
+    }
+
     /// Finds what is before surfaces that do not say it.
     fn surround(&mut self, surfaces: &Surfaces, solids: &Solids, seams: &mut Seams) {
         let patches: Vec<usize> =
@@ -347,8 +389,8 @@ impl Before {
 
 /// Surfaces nearer to each other, in metres, lie on each other: rays are of single precision, in
 /// which the objects fill about [-1, 1], and end in rounding before they tell them apart.
-fn together(placed: &[Placed]) -> f64 {
-    let all = placed.iter().map(Placed::bounds).fold(Bounds::EMPTY, Bounds::union);
+fn together(stage: &Stage, placed: &[Placed]) -> f64 {
+    let all = view::extent(&stage.scene.camera.value, placed);
     if all.is_empty() { 0.0 } else { TOGETHER * all.half().max_element() }
 }
 

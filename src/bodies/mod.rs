@@ -5,7 +5,7 @@
 //! their corners are counted once a place (surfaces), edges tell whether they close and which hang
 //! together (seams), what is nearly closed is joined (closing); the closed surfaces are solids, and
 //! how often each goes round a point tells what is where (solids, layers for planes). Surfaces of
-//! bodies must not cross (crossing). What they say against it is told apart (contradicted).
+//! bodies must not cross (crossing), and where one ends at another they are parted (flush). What they say against it is told apart (contradicted).
 
 mod charts;
 mod closing;
@@ -13,6 +13,7 @@ mod contradicted;
 mod crossing;
 mod errors;
 mod flat;
+mod flush;
 mod layers;
 mod matter;
 mod overlaps;
@@ -33,4 +34,4 @@ pub use matter::Matter;
 pub use overlaps::Overlaps;
 pub use placed::{Body, Placed, place};
 pub use seams::Sets;
-pub use view::eye;
+pub use view::{extent, eye};

@@ -291,6 +291,11 @@ impl<'a> Placed<'a> {
         self.all_parts().any(|part| part.value.transmits())
     }
 
+    /// Whether it has corners, and is not round or without end.
+    pub(super) fn has_corners(&self) -> bool {
+        matches!(self.body, Body::Mesh { .. } | Body::Face { .. })
+    }
+
     /// The box around it in metres; empty for a plane.
     pub fn bounds(&self) -> Bounds {
         self.bounds

@@ -10,8 +10,8 @@ use crate::math::Bounds;
 pub(super) enum Contact {
     /// The middle of one goes through the middle of the other.
     Cross(DVec3),
-    /// They lie on each other, with their fronts on one side or not.
-    On { at: DVec3, same_way: bool },
+    /// They lie on each other.
+    On(DVec3),
     /// They have a point in common, and neither goes through the other.
     Touch(DVec3),
 }
@@ -27,10 +27,8 @@ pub(super) fn contact(one: [DVec3; 3], other: [DVec3; 3], together: f64) -> Opti
     let along = mine.cross(theirs);
     if along.length() <= Flat::PARALLEL {
         let (a, b) = (Flat::face(one.to_vec())?, Flat::face(other.to_vec())?);
-        let at = (one[0] + one[1] + one[2]) / 3.0;
-        let same_way = mine.dot(theirs) > 0.0;
-        if a.overlaps_within(&b, together) {
-            return Some(Contact::On { at, same_way });
+        if let Some(at) = a.common(&b, together) {
+            return Some(Contact::On(at));
         }
     }
     let along = along.try_normalize()?;

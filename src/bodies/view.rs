@@ -1,8 +1,8 @@
-//! Where the camera stands.
+//! Where the camera stands, and how far the scene reaches.
 
 use glam::DVec3;
 
-use super::placed::Placed;
+use super::placed::{Body, Placed};
 use crate::diag::Span;
 use crate::math::Bounds;
 use crate::scene::{Camera, Scene};
@@ -18,4 +18,22 @@ pub fn eye(scene: &Scene, placed: &[Placed]) -> Option<(DVec3, Span)> {
             Some((eye, scene.camera.span))
         }
     }
+}
+
+/// The box that single precision is spent on, in metres: around all bounded objects; where none is
+/// bounded, around points of the others and the camera. Empty if there is neither.
+pub fn extent(camera: &Camera, placed: &[Placed]) -> Bounds {
+    let bounded = placed.iter().map(Placed::bounds).fold(Bounds::EMPTY, Bounds::union);
+    if !bounded.is_empty() {
+        return bounded;
+    }
+    let planes = placed.iter().filter_map(|object| match object.body {
+        Body::Plane { point, .. } => Some(point),
+        _ => None,
+    });
+    let eye = match camera {
+        Camera::Perspective(camera) => Some(camera.eye.0),
+        Camera::Overview(_) => None,
+    };
+    Bounds::around(planes.chain(eye))
 }

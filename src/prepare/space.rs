@@ -6,7 +6,7 @@
 
 use glam::{DAffine3, DVec3};
 
-use crate::bodies::{Body, Placed};
+use crate::bodies::{self, Placed};
 use crate::math::Bounds;
 use crate::scene;
 
@@ -24,23 +24,14 @@ impl Space {
     /// The space of a scene's objects. Where none is bounded, points of the others and the camera
     /// stand in for them.
     pub fn around(bodies: &[Placed], camera: &scene::Camera) -> Self {
-        let bounded = bodies.iter().map(Placed::bounds).fold(Bounds::EMPTY, Bounds::union);
-        if !bounded.is_empty() {
-            return Self::of(bounded);
+        let extent = bodies::extent(camera, bodies);
+        if bodies.iter().any(|body| !body.bounds().is_empty()) {
+            return Self::of(extent);
         }
-        let planes = bodies.iter().filter_map(|body| match body.body {
-            Body::Plane { point, .. } => Some(point),
-            _ => None,
-        });
-        let eye = match camera {
-            scene::Camera::Perspective(camera) => Some(camera.eye.0),
-            scene::Camera::Overview(_) => None,
-        };
-        let stand_in = Bounds::around(planes.chain(eye));
-        let space = if stand_in.is_empty() {
+        let space = if extent.is_empty() {
             Self { centre: DVec3::ZERO, scale: 1.0, half: DVec3::ZERO }
         } else {
-            Self::of(stand_in)
+            Self::of(extent)
         };
         Self { half: DVec3::ZERO, ..space }
     }

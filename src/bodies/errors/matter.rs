@@ -104,48 +104,76 @@ pub fn turned(
         })
 }
 
-/// Bodies, by object and medium, that are both at one place; nearer than `together`, in metres,
-/// surfaces lie on each other, without it they cross.
-pub fn meeting(
-    [(one, inside), (other, _)]: [(&At<String>, &str); 2],
-    at: DVec3,
-    together: Option<f64>,
-) -> Diagnostic {
-    let (code, what) = match together {
-        Some(_) => (Code::MATTER_COINCIDE, "lie on each other"),
-        None => (Code::MATTER_CROSS, "cross"),
-    };
+/// Two bodies whose surfaces go through each other.
+pub fn cross([one, other]: [&At<String>; 2], at: DVec3) -> Diagnostic {
+    const WHY: &str = "Bodies are apart, or one is inside of the other. Where they overlap, either \
+                       could be meant.";
     if one.span == other.span {
-        let headline = format!("two bodies of `{}` {what}", **one);
-        return Diagnostic::error(code, headline)
+        let headline = format!("two bodies of `{}` cross", **one);
+        return Diagnostic::error(Code::MATTER_CROSS, headline)
             .label(one.span, format!("near {}", place(at)))
-            .why("Bodies are apart, or one is inside of the other. Where they overlap, either could be meant.")
-            .help("move them apart, or join them to one body, in the program that made the mesh");
+            .why(WHY)
+            .help(JOIN);
     }
-    let headline = format!("the surfaces of `{}` and `{}` {what}", **one, **other);
-    let fault = Diagnostic::error(code, headline)
-        .label(one.span, format!("meets the other near {}", place(at)))
-        .label(other.span, "the other");
-    match together {
-        Some(together) => fault
-            .why(format!(
-                "Of surfaces nearer to each other than {}, in a scene of this size, rounding would \
-                 decide which one a ray meets.",
-                length(together, Round::Up)
-            ))
-            .help(format!(
-                "where two bodies touch let there be one surface that names both media, such as \
-                 `dielectric {{ inside: {inside}, outside: … }}`; or let one of them reach clearly \
-                 into the other, and say `yields_to`"
-            )),
-        None => fault
-            .why("Bodies are apart, or one is inside of the other. Where they overlap, either could be meant.")
-            .help(format!(
-                "move them apart; or say which one ends where the other begins: `yields_to: {}` in \
-                 `{}`, or the other way round",
+    let headline = format!("the surfaces of `{}` and `{}` cross", **one, **other);
+    met(Diagnostic::error(Code::MATTER_CROSS, headline), [one, other], at).why(WHY).help(format!(
+        "move them apart; or say which one ends where the other begins: `yields_to: {}` in `{}`, \
+         or the other way round",
+        **other, **one
+    ))
+}
+
+/// Two bodies whose surfaces are nearer to each other than `together`, in metres: the first is of
+/// the medium `inside`. `flat`: one of them can end where the other begins.
+pub fn coincide(
+    [one, other]: [&At<String>; 2],
+    (inside, flat): (&str, bool),
+    at: DVec3,
+    together: f64,
+) -> Diagnostic {
+    let why = format!(
+        "Of surfaces nearer to each other than {}, in a scene of this size, rounding would decide \
+         which one a ray meets.",
+        length(together, Round::Up)
+    );
+    if one.span == other.span {
+        let headline = format!("two bodies of `{}` lie on each other", **one);
+        return Diagnostic::error(Code::MATTER_COINCIDE, headline)
+            .label(one.span, format!("near {}", place(at)))
+            .why(why)
+            .help(JOIN);
+    }
+    let headline = format!("the surfaces of `{}` and `{}` lie on each other", **one, **other);
+    let both = format!(
+        "let one surface name both media, such as `dielectric {{ inside: {inside}, outside: … }}`"
+    );
+    met(Diagnostic::error(Code::MATTER_COINCIDE, headline), [one, other], at).why(why).help(
+        match flat {
+            true => format!(
+                "say which one ends where the other begins: `yields_to: {}` in `{}`, or the other \
+                 way round; or {both}; or move them apart",
                 **other, **one
-            )),
-    }
+            ),
+            false => format!("{both}; or move them apart"),
+        },
+    )
+}
+
+/// The first of two bodies ends where the other begins, and its surface cannot be told from the
+/// other's.
+pub fn flush([one, to]: [&At<String>; 2], at: DVec3) -> Diagnostic {
+    let headline = format!("`{}` lies on `{}`, and cannot yield to it there", **one, **to);
+    met(Diagnostic::error(Code::MATTER_COINCIDE, headline), [one, to], at)
+        .why("What yields is pushed a little into the other, by more than rounding. Here there is no such way.")
+        .help(format!("let `{}` reach clearly into `{}`, or end clearly before it", **one, **to))
+}
+
+const JOIN: &str = "move them apart, or join them to one body, in the program that made the mesh";
+
+fn met(fault: Diagnostic, [one, other]: [&At<String>; 2], at: DVec3) -> Diagnostic {
+    fault
+        .label(one.span, format!("meets the other near {}", place(at)))
+        .label(other.span, "the other")
 }
 
 /// A body that would be everywhere but within its surface.
