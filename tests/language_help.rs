@@ -19,7 +19,7 @@ fn only(text: &str) -> String {
 #[test]
 fn what_is_offered_can_be_what_was_meant() {
     for (text, offered) in [
-        ("material a: diffuse { color: 1 }", "`albedo`, `emission` and `emits`"),
+        ("material a: diffuse { tint: 1 }", "`albedo`, `emission` and `emits`"),
         ("material a: diffuse {}", "albedo: 0.5"),
         ("let colour = 1\nlet d = coluor * 2", "did you mean `colour`?"),
         ("prject: 1", "`let`"),
@@ -122,6 +122,45 @@ fn what_stands_further_in_is_offered() {
         ),
         ("object a: sphere { center: (0, 0, 0), size: 2 m, material: mirror }", "`radius: 2 m`"),
         ("render a { integrator: path { specular: 2 } }", "write `splits: { specular: 2 }`"),
+    ] {
+        let told = only(text);
+        assert!(told.contains(offered), "{text}: {offered}\n{told}");
+    }
+}
+
+#[test]
+fn words_of_other_programs_are_known() {
+    for (text, offered) in [
+        ("sensor: perspective {}", "did you mean `camera`?"),
+        ("mesh bunny: { unit: m }", "write `object NAME: mesh { … }`"),
+        ("object a: rectangle {}", "did you mean `quad`"),
+        ("object a: cube {}", "a `quad` for each flat side"),
+        ("light a: area {}", "give its material an `emission`"),
+        ("light a: infinite {}", "did you mean `constant`"),
+        ("material a: lambertian {}", "did you mean `diffuse`"),
+        ("material a: Plastic {}", "`mix { … }` joins two of them"),
+        ("material a: diffuse { color: 1 }", "write `albedo: 1`"),
+        ("material a: dielectric { eta: 1.5 }", "write `inside: homogeneous { ior: 1.5 }`"),
+        ("stop: { spp: 16 }", "write `samples: 16`"),
+        // More like `inside`, which it is not.
+        ("material a: dielectric { index: 1.5 }", "write `inside: homogeneous { ior: 1.5 }`"),
+        (
+            "object a: sphere { center: (0, 0, 0), radius: 1 m, bsdf: diffuse { albedo: 0 } }",
+            "write `material: diffuse { albedo: 0 }`",
+        ),
+        ("medium a: homogeneous { phase: hg { g: 0.5 } }", "as in `henyey_greenstein { g: 0.5 }`"),
+    ] {
+        let told = only(text);
+        assert!(told.contains(offered), "{text}: {offered}\n{told}");
+    }
+}
+
+#[test]
+fn a_medium_of_the_shelf_where_an_index_belongs() {
+    for (text, offered) in [
+        ("material a: dielectric { ior: matter.water }", "write `inside: matter.water`"),
+        ("material a: conductor { ior: matter.water }", "write `medium water: matter.water`"),
+        ("medium a: homogeneous { ior: matter.water }", "write `medium water: matter.water`"),
     ] {
         let told = only(text);
         assert!(told.contains(offered), "{text}: {offered}\n{told}");

@@ -275,7 +275,7 @@ impl Composer<'_> {
             if !(self.lenient && is_somewhere(&part.text)) {
                 let all: Vec<_> = schema.fields.iter().map(|field| field.word).collect();
                 let owner = if schema.word.is_empty() { path } else { schema.word };
-                let told = names::unknown_field(owner, part, &all, (&[], None));
+                let told = names::unknown_field(owner, part, &all, (&[], None), false);
                 self.ev.reports.tell(told.label(value.span, format!("`{owner}` is stated here")));
             }
             return None;
@@ -335,6 +335,7 @@ fn as_record(value: &Value) -> Option<RecordValue> {
             fields: Vec::new(),
             braces: value.span,
             partial: false,
+            shelved: None,
         }),
         _ => None,
     }

@@ -383,13 +383,14 @@ impl Evaluator<'_> {
 
     fn with(&self, base: Value, changes: &[Record], env: &Env, span: Span) -> Value {
         let mut record = match &base.kind {
-            ValueKind::Record(record) => (**record).clone(),
+            ValueKind::Record(record) => RecordValue { shelved: None, ..(**record).clone() },
             ValueKind::Word(word) => RecordValue {
                 word: None,
                 base: Some(word.clone()),
                 fields: Vec::new(),
                 braces: span,
                 partial: false,
+                shelved: None,
             },
             ValueKind::Broken => return base,
             _ => {
@@ -427,6 +428,7 @@ fn fields(record: &Record, env: &Env) -> RecordValue {
         fields: record.entries.iter().map(field).collect(),
         braces: record.braces,
         partial: record.partial,
+        shelved: None,
     }
 }
 

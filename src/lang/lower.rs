@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::ast::Word;
 use super::check::{Checker, Declared, Item, default_value};
-use super::errors::{name as names, types};
+use super::errors::{circle, types};
 use super::eval::Evaluator;
 use super::{defaults, limits};
 use crate::diag::{FileId, Span};
@@ -172,7 +172,7 @@ impl Walk<'_> {
             self.chain.push((next, span));
             match self.known[next] {
                 Known::Open => {
-                    self.ev.reports.tell(names::circle_of(kind, &self.ring()));
+                    self.ev.reports.tell(circle::of_declarations(kind, &self.ring()));
                     self.good = false;
                 }
                 Known::Nothing if depth < limits::DEPTH => self.look(next, depth + 1),

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use super::ast::{Expr, ExprKind, Item, Let, Piece, Word};
-use super::errors::name as names;
+use super::errors::circle;
 use super::eval::Evaluator;
 use super::import::Unit;
 use super::order;
@@ -107,7 +107,7 @@ fn tell_circles(ev: &Evaluator, lets: &[Arc<Let>]) -> HashSet<Span> {
     let mut broken = HashSet::new();
     for circle in order::circles(&wants) {
         let words: Vec<_> = circle.iter().map(|i| lets[*i].name.clone()).collect();
-        ev.reports.tell(names::circle(&words));
+        ev.reports.tell(circle::of_lets(&words));
         broken.extend(words.iter().map(|word| word.span));
     }
     broken

@@ -175,6 +175,7 @@ fn action(
                 reports.poison(
                     crate::diag::near(&kind.text, KINDS.iter().map(|k| k.word))
                         .into_iter()
+                        .chain(crate::scene::elsewhere::kind(&kind.text))
                         .map(String::from),
                 );
             }

@@ -44,8 +44,6 @@ pub enum ValueKind {
         /// Its imaginary part.
         k: Option<Spectrum>,
     },
-    /// A medium from a shelf.
-    Matter(&'static Datum),
     /// Two or three components; bare ones count in the unit of `file`.
     Vector {
         /// The components.
@@ -85,6 +83,8 @@ pub struct RecordValue {
     pub braces: Span,
     /// Some field could not be read.
     pub partial: bool,
+    /// The datum on a shelf that it is, if it is one as it stands there.
+    pub shelved: Option<&'static Datum>,
 }
 
 /// A field of a record, not computed before it lands.
@@ -208,15 +208,15 @@ impl Value {
             ValueKind::Spectrum(_, dimension) => format!("{} by wavelength", dimension.name()),
             ValueKind::Index { k: None, .. } => "an index of refraction".into(),
             ValueKind::Index { .. } => "a complex index of refraction".into(),
-            ValueKind::Matter(datum) => format!("the figures of `matter.{}`", datum.word),
             ValueKind::Vector { components, .. } if components.len() == 2 => "a pair".into(),
             ValueKind::Vector { .. } => "a vector".into(),
             ValueKind::Text { .. } => "a text".into(),
             ValueKind::Word(word) => format!("the word `{}`", word.text),
             ValueKind::List(_) => "a list".into(),
-            ValueKind::Record(record) => match &record.word {
-                Some(word) => format!("`{} {{ … }}`", word.text),
-                None => "fields in braces".into(),
+            ValueKind::Record(record) => match (record.shelved, &record.word) {
+                (Some(datum), _) => format!("the medium `matter.{}`", datum.word),
+                (None, Some(word)) => format!("`{} {{ … }}`", word.text),
+                (None, None) => "fields in braces".into(),
             },
             ValueKind::Step(_) => "a step of a place".into(),
             ValueKind::Broken => "something broken".into(),

@@ -36,6 +36,35 @@ vocabulary! {
     }
 }
 
+/// The words by which a medium of a shelf is said.
+pub struct Measured {
+    /// The variant of medium.
+    pub medium: &'static str,
+    /// Its index, of refraction.
+    pub ior: &'static str,
+    /// Its absorption, a coefficient.
+    pub absorption: &'static str,
+    /// Its scattering, a coefficient.
+    pub scattering: &'static str,
+    /// Where scattered light goes,
+    pub phase: &'static str,
+    /// if not to all sides alike,
+    pub turned: &'static str,
+    /// and then by this mean cosine.
+    pub cosine: &'static str,
+}
+
+/// How a medium of a shelf is said.
+pub const MEASURED: Measured = Measured {
+    medium: "homogeneous",
+    ior: "ior",
+    absorption: "absorption",
+    scattering: "scattering",
+    phase: "phase",
+    turned: "henyey_greenstein",
+    cosine: "g",
+};
+
 impl Homogeneous {
     /// Of an index, and nothing else.
     pub fn clear(ior: At<Index>) -> Self {

@@ -34,7 +34,7 @@ pub use light::{
     SunDisc, SunForm,
 };
 pub use material::{Conductor, Dielectric, Diffuse, Material, Mirror, Mix, Sides};
-pub use medium::{HenyeyGreenstein, Homogeneous, Isotropic, Medium, Phase};
+pub use medium::{HenyeyGreenstein, Homogeneous, Isotropic, MEASURED, Medium, Phase};
 pub use object::{Disk, KaMeans, Mesh, Object, Plane, Quad, Sphere, Triangle};
 pub use paths::{Only, Paths};
 pub use sampler::{Independent, Sampler, Sobol, Stratified};

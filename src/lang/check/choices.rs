@@ -35,6 +35,7 @@ impl Checker<'_> {
                     fields: Vec::new(),
                     braces: value.span,
                     partial: false,
+                    shelved: None,
                 };
                 let fields = self.fields(&none, &variants.all[which], value.span, place)?;
                 Some(Checked::Variant(which, fields))
@@ -87,7 +88,11 @@ impl Checker<'_> {
     fn alias(&self, kind: &schema::Kind, word: &Word) -> Option<Option<Value>> {
         let (_, value) = self.declared.get(&(kind.word, word.text.clone()))?;
         if self.open.borrow().iter().any(|(k, n)| *k == kind.word && *n == word.text) {
-            self.ev.reports.tell(names::itself(kind.word, word, is_variant(&kind.ty, &word.text)));
+            self.ev.reports.tell(errors::circle::itself(
+                kind.word,
+                word,
+                is_variant(&kind.ty, &word.text),
+            ));
             return Some(None);
         }
         Some(Some(value.clone()))
@@ -218,7 +223,7 @@ impl Checker<'_> {
 /// What of some variants may be made of the data that have a name: `conductor { ior: metal.gold }`
 /// of `gold`.
 fn made_of_data(variants: Option<&'static Variants>, word: &Word) -> Vec<String> {
-    let data = shelves::called(&word.text);
+    let data = shelves::called(&word.text, word.span);
     let made = |(text, kind): (String, ValueKind)| {
         let value = Value { kind, span: word.span };
         variants.map(|all| meant::made_of(all, &value, &text)).unwrap_or_default()
@@ -227,7 +232,14 @@ fn made_of_data(variants: Option<&'static Variants>, word: &Word) -> Vec<String>
 }
 
 fn plain(word: Word, braces: Span) -> RecordValue {
-    RecordValue { word: Some(word), base: None, fields: Vec::new(), braces, partial: false }
+    RecordValue {
+        word: Some(word),
+        base: None,
+        fields: Vec::new(),
+        braces,
+        partial: false,
+        shelved: None,
+    }
 }
 
 fn is_variant(ty: &Type, word: &str) -> bool {

@@ -5,10 +5,12 @@ use crate::diag::Span;
 use crate::lang::ast::ExprKind;
 use crate::lang::errors::quantities::of_a_point;
 use crate::lang::eval::Evaluator;
+use crate::lang::shelves;
 use crate::lang::value::{FieldValue, RecordValue, Thunk, Value, ValueKind};
 use crate::math::units::Dimension;
 use crate::scene::schema::{Field, Record, Type, Variants};
 use crate::scene::spectral::Spectral;
+use crate::scene::{MEASURED, elsewhere};
 
 /// How far inside a field is looked for.
 const DEEPEST: usize = 2;
@@ -97,7 +99,18 @@ pub fn instead_of(
 ) -> (Vec<String>, bool) {
     let stated = |word: &str| found.fields.iter().any(|field| &*field.key.text == word);
     let begins = |way: &String| stated(way.split(':').next().unwrap_or(""));
-    let mut all = further_in(record, &field.key.text, text);
+    let key = &*field.key.text;
+    let mut all = match is_medium(field) {
+        true => media(record).map(|field| format!("{}: {text}", field.word)).take(1).collect(),
+        false => {
+            let mut all = further_in(record, key, text);
+            for key in elsewhere::fields(key) {
+                all.extend(beside_or_further_in(record, key, text, &stated));
+            }
+            all
+        }
+    };
+    all.truncate(MOST);
     if all.is_empty()
         && let Some(said) = measured(field)
     {
@@ -116,6 +129,34 @@ pub fn instead_of(
     }
     let stated = all.iter().any(begins);
     (all, stated)
+}
+
+/// What may be written of a field called `key`, if the record has one that is free or one further in.
+fn beside_or_further_in(
+    record: &Record,
+    key: &str,
+    text: &str,
+    stated: &impl Fn(&str) -> bool,
+) -> Vec<String> {
+    match record.fields.iter().any(|field| field.word == key) {
+        true if stated(key) => Vec::new(),
+        true => vec![format!("{key}: {text}")],
+        false => further_in(record, key, text),
+    }
+}
+
+/// Whether a field's value is a medium of the shelf.
+fn is_medium(field: &FieldValue) -> bool {
+    let Thunk::Lazy(expr, _) = &field.value else { return false };
+    matches!(&expr.kind, ExprKind::Name(path) if shelves::is_matter(path))
+}
+
+/// The fields of a record that take a medium.
+fn media(record: &Record) -> impl Iterator<Item = &Field> {
+    record.fields.iter().filter(|field| {
+        let known = |v: &Variants| v.all.iter().any(|record| record.word == MEASURED.medium);
+        variants(&field.ty).is_some_and(known)
+    })
 }
 
 /// The dimension of a field's value, if it is a number with a unit as it stands.

@@ -372,9 +372,17 @@ impl<'a> Checker<'a> {
         let known: Vec<_> = schema.fields.iter().map(|field| field.word).collect();
         let said = meant::said(self.ev, field.value.span());
         let (meant, stated) = meant::instead_of(field, said.unwrap_or("…"), schema, found);
+        // What a word stands for elsewhere is surer than what it looks like.
+        let sure = crate::scene::elsewhere::fields(&field.key.text).next().is_some();
         let place = Span { end: field.value.span().end, ..field.key.span };
         let place = Some(place).filter(|_| said.is_some() && !stated);
-        self.ev.reports.tell(names::unknown_field(owner, &field.key, &known, (&meant, place)));
+        self.ev.reports.tell(names::unknown_field(
+            owner,
+            &field.key,
+            &known,
+            (&meant, place),
+            sure,
+        ));
     }
 
     fn field_value(

@@ -94,7 +94,14 @@ pub fn index(ev: &Evaluator, value: &Value, range: &Range, what: &str) -> Option
         }
         _ => {
             let expected = "an index of refraction: a number, a spectrum, `complex(n, k)` or one from a shelf, such as `glass.bk7`";
-            ev.reports.tell(types::mismatch(what, expected, &quantity.described(), value.span));
+            let told = types::mismatch(what, expected, &quantity.described(), value.span);
+            ev.reports.tell(match &quantity.kind {
+                ValueKind::Record(record) => match record.shelved {
+                    Some(datum) => types::whole_medium(told, datum.word),
+                    None => told,
+                },
+                _ => told,
+            });
             return None;
         }
     };
@@ -236,7 +243,7 @@ mod tests {
             ),
             (
                 "matter.marble",
-                "`field`: expected an index of refraction: a number, a spectrum, `complex(n, k)` or one from a shelf, such as `glass.bk7`, found the figures of `matter.marble`",
+                "`field`: expected an index of refraction: a number, a spectrum, `complex(n, k)` or one from a shelf, such as `glass.bk7`, found the medium `matter.marble`",
             ),
         ] {
             assert_eq!(fault(text, Index::TYPE), headline);

@@ -1,5 +1,6 @@
 //! The faults of a scene file, one function each, by family.
 
+pub mod circle;
 pub mod import;
 pub mod more;
 pub mod name;

@@ -8,6 +8,8 @@ use crate::diag::{Code, Diagnostic, Span, near as nearest};
 use crate::lang::ast::Word;
 use crate::math::units;
 use crate::scene::KINDS;
+use crate::scene::elsewhere::{self, otherwise};
+use crate::scene::schema::{Kind as KindOf, Type};
 use crate::scene::spectral::RECORDS;
 
 /// How many names a message lists at most.
@@ -103,7 +105,7 @@ pub fn unknown_value(found: &str, span: Span, defined: &[Arc<str>]) -> Diagnosti
         return offer(told, found, span, &near, "names are");
     }
     let shelved: Vec<String> =
-        crate::lang::shelves::called(found).into_iter().map(|(text, _)| text).collect();
+        crate::lang::shelves::called(found, span).into_iter().map(|(text, _)| text).collect();
     if !shelved.is_empty() {
         return meant(told, &shelved, span);
     }
@@ -187,6 +189,19 @@ pub fn unknown_kind(word: &Word) -> Diagnostic {
         format!("there is no kind of item called `{found}`"),
     )
     .label(word.span, "not known");
+    if let Some(right) = elsewhere::kind(found) {
+        return told.help(did_you_mean([right])).mend(format!("write `{right}`"), word.span, right);
+    }
+    let variant_of = |kind: &&KindOf| match kind.ty {
+        Type::OneOf(variants) => variants.all.iter().any(|record| record.word == &**found),
+        _ => false,
+    };
+    if let Some(kind) = KINDS.iter().find(variant_of) {
+        let name = if kind.named { " NAME" } else { "" };
+        let (what, shape) =
+            (with_article(kind.word), format!("{}{name}: {found} {{ … }}", kind.word));
+        return told.help(format!("it is what {what} may be: write `{shape}`"));
+    }
     let all: Vec<_> = KINDS.iter().map(|kind| kind.word).chain(KEYWORDS).collect();
     offer(told, found, word.span, &all, "an item is one of")
 }
@@ -225,12 +240,13 @@ pub fn unwanted_name(kind: &Word, name: &str, span: Span) -> Diagnostic {
 }
 
 /// A field a record does not have. `meant`: what may be written instead, with its value, and
-/// where that stands, if it may replace it.
+/// where that stands, if it may replace it; `sure`: rather than a field that looks alike.
 pub fn unknown_field(
     owner: &str,
     key: &Word,
     all: &[&str],
     (meant, said): (&[String], Option<Span>),
+    sure: bool,
 ) -> Diagnostic {
     let told = Diagnostic::error(
         Code::NAME_UNKNOWN_FIELD,
@@ -240,7 +256,7 @@ pub fn unknown_field(
     if all.is_empty() {
         return told.help("it has no fields: write `{}` or nothing");
     }
-    if meant.is_empty() || !nearest(&key.text, all.iter().copied()).is_empty() {
+    if meant.is_empty() || !sure && !nearest(&key.text, all.iter().copied()).is_empty() {
         return offer(told, &key.text, key.span, all, "its fields are");
     }
     let mut words = all.to_vec();
@@ -294,13 +310,19 @@ pub fn unknown_variant(
         .label(word.span, format!("no {name} is called so"));
     let near_declared = nearest(&word.text, declared.iter().copied());
     let near = nearest(&word.text, all.iter().copied());
+    // What a word stands for elsewhere is surer than what it looks like.
     match (meant, near.is_empty(), near_declared.is_empty()) {
-        (Some((right, shape)), true, true) => {
+        (Some((right, shape)), _, true) => {
             let mut words = all.to_vec();
             words.sort_unstable();
             told.why(format!("The choices of {name}: {}.", listed(words, "and")))
                 .help(format!("did you mean `{right}`, as in `{shape}`?"))
                 .mend(format!("write `{right}`"), word.span, right)
+        }
+        (None, _, true) if otherwise(name, &word.text).is_some() => {
+            let choices = listed(all.iter().copied(), "and");
+            told.why(format!("The choices of {name}: {choices}."))
+                .help(otherwise(name, &word.text).unwrap_or_default())
         }
         (_, true, false) => offer(told, &word.text, word.span, declared, "declared are"),
         _ => offer(told, &word.text, word.span, all, &format!("the choices of {name} are")),
@@ -424,69 +446,4 @@ pub fn taken(word: &Word, what: &str) -> Diagnostic {
     Diagnostic::error(Code::NAME_TAKEN, headline)
         .label(word.span, format!("{what} already"))
         .help("choose another name")
-}
-
-/// Lets that need each other.
-pub fn circle(words: &[Word]) -> Diagnostic {
-    let names: Vec<_> = words.iter().map(|word| &*word.text).collect();
-    let headline = match names.as_slice() {
-        [one] => format!("`{one}` depends on itself"),
-        _ => format!("{} depend on each other in a circle", listed(names.iter().copied(), "and")),
-    };
-    let mut told = Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, headline);
-    for (i, word) in words.iter().enumerate() {
-        let next = &words[(i + 1) % words.len()].text;
-        told = told.label(word.span, format!("`{}` needs `{next}`", word.text));
-    }
-    told.help("define one of them without the others")
-}
-
-/// Declarations that refer to each other in a ring, each by the word that names the next one.
-pub fn circle_of(kind: &str, ring: &[Word]) -> Diagnostic {
-    let mut names: Vec<_> = ring.iter().map(|word| &*word.text).collect();
-    names.rotate_right(1);
-    let all = listed(names.iter().copied(), "and");
-    let yields = kind == "object";
-    let headline = match (yields, names.len()) {
-        (true, 1) => format!("the object {all} yields to itself"),
-        (true, 2) => format!("the objects {all} yield to each other"),
-        (true, _) => format!("the objects {all} yield to each other in a circle"),
-        (false, 1) => format!("the {kind} {all} is made of itself"),
-        (false, _) => format!("the {} {all} are made of each other", plural(kind)),
-    };
-    let told = ring.iter().zip(&names).fold(
-        Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, headline),
-        |told, (word, of)| match yields {
-            true => told.label(word.span, format!("`{of}` yields to `{}`", word.text)),
-            false => told.label(word.span, format!("`{of}` is made of `{}`", word.text)),
-        },
-    );
-    match (yields, names.len()) {
-        (true, 1) => told
-            .why("An object that yields ends where another one begins.")
-            .help("leave `yields_to` out, or name another object"),
-        (true, _) => told
-            .why("An object that yields ends where another one begins: of two only one can.")
-            .help(format!("leave `yields_to` out of one of them: {}", listed(names, "or"))),
-        (false, 1) => told.help(format!("name another {kind}")),
-        (false, _) => {
-            told.help(format!("make one of them without the others: {}", listed(names, "or")))
-        }
-    }
-}
-
-/// A declaration that names itself.
-pub fn itself(kind: &str, word: &Word, variant: bool) -> Diagnostic {
-    let name = &word.text;
-    let told = Diagnostic::error(Code::NAME_DEPENDS_ON_ITSELF, format!("{kind} `{name}` is made of itself"))
-        .label(word.span, format!("the {kind} called `{name}`, not the word of the language"))
-        .why("A bare word means a declaration first; before a brace it is always a word of the language.");
-    match variant {
-        true => told.help(format!("write `{name} {{}}`")).mend(
-            format!("write `{name} {{}}`"),
-            word.span,
-            format!("{name} {{}}"),
-        ),
-        false => told.help(format!("state what the {kind} is")),
-    }
 }

@@ -67,6 +67,12 @@ pub fn round_brackets(told: Diagnostic, text: Option<&str>, span: Span) -> Diagn
     }
 }
 
+/// More on a medium of the shelf where only a part of one belongs.
+pub fn whole_medium(told: Diagnostic, word: &str) -> Diagnostic {
+    told.why(format!("`matter.{word}` is a whole medium, its index included."))
+        .help(format!("write `medium {word}: matter.{word}`, and name that medium instead"))
+}
+
 /// Components of `srgb` beyond 0 to 1. `literal`: all of them are written as numbers.
 pub fn encoded_range(components: [f64; 3], literal: bool, span: Span) -> Diagnostic {
     let shown = components.map(digits).join(", ");
