@@ -12,11 +12,14 @@ mod build;
 mod coordinates;
 mod crowd;
 mod disk;
+mod few;
 mod instance;
 mod lanes;
 mod node;
+mod packet;
 mod pages;
 mod plane;
+mod plate;
 mod ray;
 mod rounding;
 mod sample;
@@ -27,6 +30,7 @@ mod template;
 mod tree;
 mod triangle;
 mod walk;
+mod wide;
 
 #[cfg(test)]
 mod tests;
@@ -42,6 +46,7 @@ pub use shapes::{Disk, Owner, Plane, Primitive, Shapes, Sphere, Triangle};
 use ask::Walker;
 use best::{Best, Place};
 use crowd::Crowd;
+use few::Few;
 use lanes::{LANES, Lanes};
 use ray::Probe;
 use shapes::Kind;
@@ -77,6 +82,8 @@ pub struct Geometry {
     shapes: Shapes,
     tree: Tree,
     crowd: Crowd,
+    /// The triangles once more, where they are few.
+    few: Option<Few>,
     bounds: Bounds,
     /// Whether hits tell where on their surface they lie.
     coordinates: bool,
@@ -88,7 +95,8 @@ impl Geometry {
         shapes.coordinates.sort();
         let (tree, bounds) = (Tree::build(&shapes), shapes.bounds());
         let crowd = Crowd::build(&std::mem::take(&mut shapes.instances));
-        Self { tree, crowd, bounds, shapes, coordinates: true }
+        let few = Few::of(&tree, &shapes, &crowd);
+        Self { tree, crowd, few, bounds, shapes, coordinates: true }
     }
 
     /// The same, with `Hit::uv` or with zero in its place, weights of corners in a triangle's.
@@ -139,7 +147,8 @@ impl Geometry {
 
     /// Memory held, in bytes.
     pub fn bytes(&self) -> usize {
-        self.shapes.bytes() + self.tree.bytes() + self.crowd.bytes()
+        let few = self.few.as_ref().map_or(0, Few::bytes);
+        self.shapes.bytes() + self.tree.bytes() + self.crowd.bytes() + few
     }
 
     /// The part of it that instances and their meshes hold; and what they would hold as copies.

@@ -264,7 +264,7 @@ pub(super) enum Axis {
 static NEXT: [Axis; 3] = [Axis::Y, Axis::Z, Axis::X];
 
 /// 2⁻¹⁰⁰: less is no direction, and beside something greater it is as good as nothing.
-const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
+pub(super) const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
 
 /// 1/d, finite: a coordinate within ±[`LEAST`] stands for one of that size, which moves the ray by less
 /// than boxes are padded. −0 goes the same way as +0.

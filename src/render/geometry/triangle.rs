@@ -3,11 +3,12 @@
 use glam::{DVec3, Vec2, Vec3};
 
 use super::Bounds;
-use super::lanes::Lanes;
+use super::lanes::{Lanes, Portable};
 use super::ray::{Point, Probe, Sheet, Surface};
 use super::rounding;
 
 /// A triangle taken from its block.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Face {
     /// World units.
     pub corners: [[f32; 3]; 3],
@@ -51,6 +52,11 @@ impl Face {
         let [a, b, c] = self.corners;
         let (a, b, c) = (lanes.exact(a), lanes.exact(b), lanes.exact(c));
         lanes.exact_cross(lanes.exact_sub(b, a), lanes.exact_sub(c, a))
+    }
+
+    /// The same in numbers.
+    pub fn exact_normal(&self) -> [f64; 3] {
+        Portable.exact_store(self.normal(Portable))
     }
 
     /// Where the ray meets the plane of the triangle.

@@ -22,7 +22,7 @@ use super::tree::Tree;
 use super::{disk, sphere};
 
 /// 16u, u = 2⁻²⁴: more than near, far and the best t can be apart by rounding, for their size.
-const WIDEN: f32 = 1.0 + 8.0 * f32::EPSILON;
+pub(super) const WIDEN: f32 = 1.0 + 8.0 * f32::EPSILON;
 
 /// Most nodes on the way from the root to a leaf; build keeps to it.
 pub(super) const DEEPEST: usize = 26;

@@ -7,7 +7,7 @@ use super::meshes::{Chance, Mesh};
 use crate::render::geometry::{Disk, Geometry, Owner, Plane, Ray, Shapes, Sphere, Triangle};
 
 /// Triangles of all sizes and shapes, a third of them slivers, and some that share edges.
-fn soup(chance: &mut Chance, triangles: usize, size: f64) -> Shapes {
+pub(super) fn soup(chance: &mut Chance, triangles: usize, size: f64) -> Shapes {
     let mut shapes = Shapes::new();
     let owner = Owner::default();
     for i in 0..triangles {
@@ -26,7 +26,7 @@ fn soup(chance: &mut Chance, triangles: usize, size: f64) -> Shapes {
     shapes
 }
 
-fn add_round(chance: &mut Chance, shapes: &mut Shapes, count: usize) {
+pub(super) fn add_round(chance: &mut Chance, shapes: &mut Shapes, count: usize) {
     let owner = Owner::default();
     for _ in 0..count {
         let centre = chance.cube().as_vec3();
@@ -38,7 +38,7 @@ fn add_round(chance: &mut Chance, shapes: &mut Shapes, count: usize) {
     shapes.plane(Plane { point: 3.0 * chance.direction(), normal: chance.direction(), owner });
 }
 
-fn ray(chance: &mut Chance, far: f64) -> Ray {
+pub(super) fn ray(chance: &mut Chance, far: f64) -> Ray {
     let origin = (far * chance.cube()).as_vec3();
     let direction = match chance.below(8) {
         0 => [Vec3::X, -Vec3::X, Vec3::Y, -Vec3::Y, Vec3::Z, -Vec3::Z][chance.below(6)],

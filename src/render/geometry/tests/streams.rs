@@ -31,7 +31,7 @@ fn rays(chance: &mut Chance, geometry: &Geometry, count: usize) -> Vec<Ray> {
 fn streams_answer_as_single_questions_do() {
     let mut chance = Chance::new(60);
     let of_shapes = |portable| mixed(&mut Chance::new(61), 1.0, 0.0).with_portable(portable);
-    let crowd = |portable| instances::crowd(62).with_portable(portable);
+    let crowd = |portable| instances::crowd(62, 2).with_portable(portable);
     for geometry in [of_shapes(false), of_shapes(true), crowd(false), crowd(true)] {
         for count in [0, 1, 7, 8, 9, 64, 1000] {
             let rays = rays(&mut chance, &geometry, count);

@@ -122,7 +122,7 @@ fn a_fine_mesh_loses_no_ray() {
 }
 
 /// A cube of 2·n by 2·n cells a side about the origin, each cell of two triangles.
-fn cube(n: i32, scale: f32) -> Shapes {
+pub(super) fn cube(n: i32, scale: f32) -> Shapes {
     let mut shapes = Shapes::new();
     let owner = Owner::default();
     for axis in 0..3 {

@@ -1,0 +1,458 @@
+//! Scenes of a few triangles: all rays of a packet are asked about each triangle in turn, instead of
+//! each ray going its own way through the tree.
+//!
+//! Where a leaf's box is missed by all, so are its triangles. Else f32 tells of each triangle which
+//! rays certainly miss it, and which certainly meet it before whatever they met so far ([`Plate`]).
+//! What remains is noted and decided in f64 at the end, by the same operations as for single rays:
+//! mostly of the surface that a ray leaves.
+
+use super::best::{Meeting, Place};
+use super::block::Block;
+use super::crowd::Crowd;
+use super::lanes::{LANES, Portable};
+use super::node::Below;
+use super::packet::{NONE, Packet, parameter};
+use super::plate::Plate;
+use super::ray::{Probe, Ray};
+use super::shapes::{Kind, Primitive, Shapes};
+use super::tree::Tree;
+use super::triangle::Face;
+use super::wide::{Job, MOST, Row, Wide};
+use super::{Geometry, disk, plane, sphere};
+
+/// More triangles than this are better met by way of the tree.
+const MOST_TRIANGLES: usize = 128;
+
+/// More planes, spheres and disks likewise: each is met by one ray after the other.
+const MOST_ROUND: usize = 4;
+
+/// A packet of fewer rays than this is not worth its while.
+const LONELY: usize = 3;
+
+/// No triangle.
+const NOTHING: u32 = u32::MAX;
+
+/// All triangles of a scene that has few, and what else is in it.
+#[derive(Default)]
+pub(super) struct Few {
+    leaves: Vec<Leaf>,
+    plates: Vec<Plate>,
+    exact: Vec<Exact>,
+    /// Planes, spheres and disks.
+    round: Vec<Primitive>,
+    /// Whether there is nothing else: no round shapes, no instances.
+    alone: bool,
+}
+
+/// A leaf of the tree: its box, and its plates.
+struct Leaf {
+    /// Axis, then lower and upper plane.
+    planes: [[f32; 2]; 3],
+    first: usize,
+    end: usize,
+}
+
+/// What f64 wants of a triangle.
+struct Exact {
+    normal: [f64; 3],
+    corner: [f64; 3],
+    primitive: Primitive,
+    place: u32,
+}
+
+/// Rays that are not sure about a triangle.
+#[derive(Clone, Copy)]
+struct Doubt {
+    plate: u16,
+    /// A bit for each of these rays.
+    rays: u16,
+    /// A bit for each that is known to pass inside of the edges.
+    inside: u16,
+}
+
+/// Doubts of a packet, in the order in which they came.
+struct Doubts {
+    all: [Doubt; MOST_TRIANGLES],
+    count: usize,
+}
+
+impl Doubts {
+    const NONE: Self =
+        Self { all: [Doubt { plate: 0, rays: 0, inside: 0 }; MOST_TRIANGLES], count: 0 };
+
+    #[inline(always)]
+    fn note(&mut self, plate: usize, rays: u32, inside: u32) {
+        let doubt = Doubt { plate: plate as u16, rays: rays as u16, inside: inside as u16 };
+        self.all[self.count % MOST_TRIANGLES] = doubt;
+        self.count += usize::from(rays != 0);
+    }
+
+    /// Those that may concern some of the rays.
+    fn of(&self) -> &[Doubt] {
+        &self.all[..self.count.min(MOST_TRIANGLES)]
+    }
+}
+
+impl Few {
+    /// Of a tree over shapes, if they are few and moderate.
+    pub fn of(tree: &Tree, shapes: &Shapes, crowd: &Crowd) -> Option<Self> {
+        let round = shapes.spheres.len() + shapes.disks.len() + shapes.planes.len();
+        if tree.blocks.len() > MOST_TRIANGLES || round > MOST_ROUND || !tree.moderate {
+            return None;
+        }
+        let mut few = Self::default();
+        for node in &tree.nodes {
+            for (lane, child) in node.children.iter().enumerate() {
+                if let Below::Block(number) = child.below() {
+                    let first = few.plates.len();
+                    few.add(number, &tree.blocks[number]);
+                    let planes = node.planes.map(|[lower, upper]| [lower[lane], upper[lane]]);
+                    few.leaves.push(Leaf { planes, first, end: few.plates.len() });
+                }
+            }
+        }
+        few.alone = round == 0 && crowd.is_empty();
+        few.round = shapes.primitives().filter(|p| p.kind() != Kind::Triangle).collect();
+        (few.plates.len() <= MOST_TRIANGLES).then_some(few)
+    }
+
+    fn add(&mut self, number: usize, block: &Block) {
+        for lane in 0..LANES {
+            let face = block.face(lane);
+            if face.corners[0][0].is_nan() {
+                continue;
+            }
+            let normal = face.exact_normal();
+            self.plates.push(Plate::new(&face, normal.into()));
+            self.exact.push(Exact {
+                normal,
+                corner: face.corners[0].map(f64::from),
+                primitive: block.primitive(lane),
+                place: super::best::place(number, lane) as u32,
+            });
+        }
+    }
+
+    /// Memory held, in bytes.
+    pub fn bytes(&self) -> usize {
+        self.leaves.capacity() * size_of::<Leaf>()
+            + self.plates.capacity() * size_of::<Plate>()
+            + self.exact.capacity() * size_of::<Exact>()
+            + self.round.capacity() * size_of::<Primitive>()
+    }
+}
+
+/// What the rays of a packet met first so far.
+struct First {
+    /// Bounds of the parameter.
+    least: Row,
+    most: Row,
+    /// The number of a plate, as bits.
+    plate: Row,
+}
+
+/// [`Geometry::meet_all`].
+pub(super) struct MeetAll<'a> {
+    pub geometry: &'a Geometry,
+    pub few: &'a Few,
+    pub rays: &'a [Ray],
+    pub met: &'a mut [Option<Meeting>],
+}
+
+impl Job for MeetAll<'_> {
+    #[inline(always)]
+    fn run<W: Wide>(self, wide: W) {
+        let Self { geometry, few, rays, met } = self;
+        let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
+        for (rays, met) in rays.chunks(W::WIDTH).zip(met.chunks_mut(W::WIDTH)) {
+            packet.fill::<W>(if rays.len() < LONELY { &[] } else { rays });
+            let first = few.first(wide, geometry, &packet, &mut doubts);
+            for (lane, (ray, met)) in rays.iter().zip(met).enumerate() {
+                let asked =
+                    packet.active & 1 << lane != 0 && !few.is_left_out(&first.plate, lane, ray);
+                *met = match (asked, few.alone) {
+                    (true, true) => few.meeting(&first, lane),
+                    (true, false) => few.among_others(geometry, ray, few.meeting(&first, lane)),
+                    (false, _) => geometry.meet(ray),
+                };
+            }
+        }
+    }
+}
+
+/// [`Geometry::occluded_all`].
+pub(super) struct OccludedAll<'a> {
+    pub geometry: &'a Geometry,
+    pub few: &'a Few,
+    pub rays: &'a [Ray],
+    pub occluded: &'a mut [bool],
+}
+
+impl Job for OccludedAll<'_> {
+    #[inline(always)]
+    fn run<W: Wide>(self, wide: W) {
+        let Self { geometry, few, rays, occluded } = self;
+        let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
+        for (rays, occluded) in rays.chunks(W::WIDTH).zip(occluded.chunks_mut(W::WIDTH)) {
+            packet.fill::<W>(if rays.len() < LONELY { &[] } else { rays });
+            let (any, plate) = few.any(wide, geometry, &packet, &mut doubts);
+            for (lane, (ray, occluded)) in rays.iter().zip(occluded).enumerate() {
+                let asked = packet.active & 1 << lane != 0 && !few.is_left_out(&plate, lane, ray);
+                *occluded = match asked {
+                    true => any & 1 << lane != 0 || !few.alone && few.others_occlude(geometry, ray),
+                    false => geometry.occluded(ray),
+                };
+            }
+        }
+    }
+}
+
+impl Few {
+    /// What the rays of a packet meet first, the parameters exact.
+    #[inline(always)]
+    fn first<W: Wide>(
+        &self,
+        wide: W,
+        geometry: &Geometry,
+        packet: &Packet,
+        doubts: &mut Doubts,
+    ) -> First {
+        let (zero, tiny) = (wide.splat(0.0), wide.splat(f32::MIN_POSITIVE));
+        let mut least = wide.load(&packet.end);
+        let mut most = least;
+        let mut plate = wide.splat(f32::from_bits(NOTHING));
+        doubts.count = 0;
+        for leaf in &self.leaves {
+            if packet.enters(wide, &leaf.planes, most) == 0 {
+                continue;
+            }
+            for (number, one) in (leaf.first..).zip(&self.plates[leaf.first..leaf.end]) {
+                let known = one.meet(wide, &packet.beam);
+                let beyond = wide.or(wide.less(most, known.low), wide.less(known.high, zero));
+                let missed = wide.or(known.outside, beyond);
+                let ahead = wide.and(wide.less(tiny, known.low), wide.less(known.high, least));
+                let met = wide.and(known.inside, ahead);
+                least = wide.select(met, known.low, least);
+                most = wide.select(met, known.high, most);
+                plate = wide.select(met, wide.splat(f32::from_bits(number as u32)), plate);
+                let open = !(wide.bits(missed) | wide.bits(met)) & packet.active;
+                doubts.note(number, open, wide.bits(known.inside));
+            }
+        }
+        let mut first = First { least: NONE, most: NONE, plate: NONE };
+        wide.store(least, &mut first.least);
+        wide.store(most, &mut first.most);
+        wide.store(plate, &mut first.plate);
+        for doubt in doubts.of() {
+            let number = usize::from(doubt.plate);
+            let Exact { normal, corner, primitive, .. } = self.exact[number];
+            let mut rays = u32::from(doubt.rays) & !packet.leaves_out::<W>(primitive);
+            if rays == 0 {
+                continue;
+            }
+            let t = packet.parameters::<W>(normal, corner);
+            let mut before = 0;
+            for lane in 0..W::WIDTH {
+                let first = (t.0[lane] >= 0.0) & (t.0[lane] <= first.most.0[lane]);
+                before |= u32::from(first) << lane;
+            }
+            rays &= before;
+            while rays != 0 {
+                let lane = rays.trailing_zeros() as usize % MOST;
+                rays &= rays - 1;
+                let inside = doubt.inside & 1 << lane != 0;
+                self.offer(geometry, packet, &mut first, (lane, number, t.0[lane], inside));
+            }
+        }
+        self.settle::<W>(packet, &mut first);
+        first
+    }
+
+    /// Offers a triangle whose plane a ray meets at t, not after what it met so far.
+    #[cold]
+    #[inline(never)]
+    fn offer(
+        &self,
+        geometry: &Geometry,
+        packet: &Packet,
+        first: &mut First,
+        (lane, number, t, inside): (usize, usize, f32, bool),
+    ) {
+        if !(inside || self.passes(geometry, packet, lane, number)) {
+            return;
+        }
+        let best = first.plate.0[lane].to_bits();
+        if t >= first.least.0[lane] {
+            // Which is first must be told exactly.
+            let Some(exact) = self.exact.get(best as usize) else { return };
+            let ray = packet.ray(lane);
+            let (origin, to) = (ray.origin.to_array(), ray.direction.to_array());
+            let exact_t = parameter(exact.normal, exact.corner, origin, to);
+            (first.least.0[lane], first.most.0[lane]) = (exact_t, exact_t);
+            if t > exact_t || t == exact_t && self.exact[number].primitive > exact.primitive {
+                return;
+            }
+        }
+        (first.least.0[lane], first.most.0[lane]) = (t, t);
+        first.plate.0[lane] = f32::from_bits(number as u32);
+    }
+
+    /// Whether a ray passes inside of the edges of a triangle.
+    fn passes(&self, geometry: &Geometry, packet: &Packet, lane: usize, number: usize) -> bool {
+        let place = self.exact[number].place as usize;
+        let face: Face = geometry.tree.blocks[place / LANES].face(place % LANES);
+        Probe::new(&packet.ray(lane), true)
+            .is_some_and(|probe| face.meet(Portable, &probe, false).is_some())
+    }
+
+    /// Makes all parameters exact.
+    #[inline(always)]
+    fn settle<W: Wide>(&self, packet: &Packet, first: &mut First) {
+        let mut normals = [[0.0; MOST]; 3];
+        let mut corners = [[0.0; MOST]; 3];
+        for lane in 0..W::WIDTH {
+            let number = first.plate.0[lane].to_bits() as usize;
+            let number = if number < self.exact.len() { number } else { 0 };
+            let Some(exact) = self.exact.get(number) else { return };
+            for axis in 0..3 {
+                normals[axis][lane] = exact.normal[axis];
+                corners[axis][lane] = exact.corner[axis];
+            }
+        }
+        let [ox, oy, oz] = &packet.beam.origin;
+        let [dx, dy, dz] = &packet.beam.direction;
+        for lane in 0..W::WIDTH {
+            let normal = [normals[0][lane], normals[1][lane], normals[2][lane]];
+            let corner = [corners[0][lane], corners[1][lane], corners[2][lane]];
+            let origin = [ox.0[lane], oy.0[lane], oz.0[lane]];
+            let direction = [dx.0[lane], dy.0[lane], dz.0[lane]];
+            first.most.0[lane] = parameter(normal, corner, origin, direction);
+        }
+    }
+
+    /// Whether what a ray certainly meets is what it is not to meet. That is not asked before: a ray
+    /// that truly leaves or reaches a triangle never certainly meets it.
+    #[inline(always)]
+    fn is_left_out(&self, plate: &Row, lane: usize, ray: &Ray) -> bool {
+        let met = self.exact.get(plate.0[lane % MOST].to_bits() as usize);
+        met.is_some_and(|met| {
+            let number = met.primitive.bits();
+            number == ray.leaves.bits() || number == ray.reaches.bits()
+        })
+    }
+
+    #[inline(always)]
+    fn meeting(&self, first: &First, lane: usize) -> Option<Meeting> {
+        let Exact { primitive, place, .. } =
+            *self.exact.get(first.plate.0[lane % MOST].to_bits() as usize)?;
+        Some(Meeting { t: first.most.0[lane % MOST], primitive, place: Place::Tree(place) })
+    }
+
+    /// What a ray meets first, with what is no triangle.
+    #[inline(never)]
+    fn among_others(
+        &self,
+        geometry: &Geometry,
+        ray: &Ray,
+        met: Option<Meeting>,
+    ) -> Option<Meeting> {
+        let mut met = met;
+        self.ask_round(geometry, ray, |t, primitive| {
+            let first = match &met {
+                Some(best) => t < best.t || t == best.t && primitive < best.primitive,
+                None => t < ray.t_max,
+            };
+            if first {
+                met = Some(Meeting { t, primitive, place: Place::Shapes });
+            }
+        });
+        match geometry.crowd.is_empty() {
+            true => met,
+            false => geometry.tree.walker.meet_crowd(geometry, ray, met),
+        }
+    }
+
+    /// Whether a ray meets anything that is no triangle.
+    #[inline(never)]
+    fn others_occlude(&self, geometry: &Geometry, ray: &Ray) -> bool {
+        let mut any = false;
+        self.ask_round(geometry, ray, |t, _| any |= t < ray.t_max);
+        let walker = geometry.tree.walker;
+        any || !geometry.crowd.is_empty() && walker.occluded_by_crowd(geometry, ray)
+    }
+
+    /// Tells of each round shape that a ray meets, and where.
+    fn ask_round(&self, geometry: &Geometry, ray: &Ray, mut tell: impl FnMut(f32, Primitive)) {
+        let Some(probe) = Probe::new(ray, true) else { return };
+        for primitive in &self.round {
+            let (index, shapes) = (primitive.index(), &geometry.shapes);
+            let t = match primitive.kind() {
+                Kind::Sphere => sphere::meet(&probe, &shapes.spheres[index]),
+                Kind::Disk => disk::meet(&probe, &shapes.disks[index]),
+                Kind::Plane => plane::meet(&probe, &shapes.planes[index]),
+                Kind::Triangle => None,
+            };
+            if let Some(t) = t {
+                tell(t, *primitive);
+            }
+        }
+    }
+
+    /// A bit for each ray of a packet that meets any triangle, and the last that it certainly does,
+    /// as bits.
+    #[inline(always)]
+    fn any<W: Wide>(
+        &self,
+        wide: W,
+        geometry: &Geometry,
+        packet: &Packet,
+        doubts: &mut Doubts,
+    ) -> (u32, Row) {
+        let (zero, tiny) = (wide.splat(0.0), wide.splat(f32::MIN_POSITIVE));
+        let end = wide.load(&packet.end);
+        let mut any = 0;
+        let mut plate = wide.splat(f32::from_bits(NOTHING));
+        doubts.count = 0;
+        for leaf in &self.leaves {
+            if packet.enters(wide, &leaf.planes, end) & !any == 0 {
+                continue;
+            }
+            for (number, one) in (leaf.first..).zip(&self.plates[leaf.first..leaf.end]) {
+                let known = one.meet(wide, &packet.beam);
+                let beyond = wide.or(wide.less(end, known.low), wide.less(known.high, zero));
+                let missed = wide.or(known.outside, beyond);
+                let ahead = wide.and(wide.less(tiny, known.low), wide.less(known.high, end));
+                let met = wide.and(known.inside, ahead);
+                plate = wide.select(met, wide.splat(f32::from_bits(number as u32)), plate);
+                let open = !(wide.bits(missed) | wide.bits(met)) & packet.active;
+                any |= wide.bits(met);
+                doubts.note(number, open, wide.bits(known.inside));
+            }
+        }
+        any &= packet.active;
+        let mut last = NONE;
+        wide.store(plate, &mut last);
+        for doubt in doubts.of() {
+            let number = usize::from(doubt.plate);
+            let Exact { normal, corner, primitive, .. } = self.exact[number];
+            let mut rays = u32::from(doubt.rays) & !any & !packet.leaves_out::<W>(primitive);
+            if rays == 0 {
+                continue;
+            }
+            let t = packet.parameters::<W>(normal, corner);
+            let mut before = 0;
+            for lane in 0..W::WIDTH {
+                let first = (t.0[lane] >= 0.0) & (t.0[lane] < packet.end.0[lane]);
+                before |= u32::from(first) << lane;
+            }
+            rays &= before;
+            while rays != 0 {
+                let lane = rays.trailing_zeros() as usize % MOST;
+                rays &= rays - 1;
+                let inside = doubt.inside & 1 << lane != 0;
+                any |= u32::from(inside || self.passes(geometry, packet, lane, number)) << lane;
+            }
+        }
+        (any, last)
+    }
+}
