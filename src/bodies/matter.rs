@@ -92,8 +92,9 @@ impl<'a> Matter<'a> {
         if !closed || !surfaces.disks.is_empty() {
             return matter;
         }
-        if let Err(fault) = matter.part(&mut surfaces, &mut seams, &yields, together) {
-            found.push(fault);
+        if let Err(flush) = matter.part(&mut surfaces, &mut seams, &yields, together) {
+            let names = flush.objects.map(|object| placed[object as usize].name());
+            found.push(errors::flush(names, flush.at));
             return matter;
         }
         let solids = Solids::of(&surfaces, &mut seams, &yields);
@@ -241,38 +242,31 @@ impl<'a> Matter<'a> {
         (seams, media.is_empty())
     }
 
-    /// Parts surfaces that lie on each other, where one of the two bodies ends at the other.
+    /// Parts surfaces that lie on each other, where one of the two bodies ends at the other; or tells
+    /// of one where that cannot be.
     fn part(
         &mut self,
         surfaces: &mut Surfaces,
         seams: &mut Seams,
         yields: &Yields,
         together: f64,
-    ) -> Result<(), Diagnostic> {
+    ) -> Result<(), Flush> {
         if yields.is_empty() {
             return Ok(());
         }
         let solids = Solids::of(surfaces, seams, yields);
         let all = flush::find(&solids, yields, together);
         let Some(first) = all.first() else { return Ok(()) };
-        let placed = surfaces.placed;
-        let stays = |flush: &Flush| {
-            let names = flush.objects.map(|object| placed[object as usize].name());
-            Err(errors::flush(names, flush.at))
-        };
-        let pushed = match Pushed::of(&solids, &all, together) {
-            Ok(pushed) => pushed,
-            Err(flush) => return stays(&flush),
-        };
+        let pushed = Pushed::of(&solids, &all, together)?;
         pushed.push(surfaces, |corner, to| {
             self.moved.insert(corner, to);
         });
         *seams = Seams::of(surfaces);
         if !seams.open.is_empty() {
-            return stays(first);
+            return Err(*first);
         }
         let solids = Solids::of(surfaces, seams, yields);
-        flush::find(&solids, yields, together).first().map_or(Ok(()), stays)
+        flush::find(&solids, yields, together).first().map_or(Ok(()), |flush| Err(*flush))
     }
 
     /// Finds what is before surfaces that do not say it.
