@@ -14,8 +14,11 @@ use crate::scene::Object;
 /// does not tell them apart.
 const ROUNDING: f64 = 1.0 / (1 << 24) as f64;
 
-/// Gaps wider than this part of the size of all bodies are holes.
+/// Gaps wider than this part of the size of all bodies, or of the one that is mended, are holes.
 const GAP: f64 = 0.02;
+
+/// More than this part of the triangles of a mesh are not lost by joining what lies at its gaps.
+const LOST: f64 = 0.01;
 
 /// For points that move: where to.
 pub(super) type Moves = HashMap<u32, u32>;
@@ -82,6 +85,47 @@ impl<'s> Reach<'s> {
         });
         2 * whole >= some
     }
+}
+
+/// What is wrong with how far a mesh says that it may be mended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Wide {
+    /// It is wider than a gap of the mesh can be: by what it says, and its size, in metres.
+    Than { mend: f64, size: f64, most: f64 },
+    /// So many of its triangles, of so many, would have no area.
+    Loses { mend: f64, lost: usize, of: usize },
+}
+
+/// The first placed object, if any, that would lose its form by joining the points of its gaps.
+pub(super) fn too_wide(surfaces: &Surfaces, moves: &Moves) -> Option<(u32, Wide)> {
+    let mut lost: Vec<(u32, usize)> = Vec::new();
+    for (number, face) in surfaces.faces.iter().enumerate() {
+        let [a, b, c] = face.corners.map(|corner| moved(moves, corner));
+        let touched = face.corners.iter().any(|corner| moves.contains_key(corner));
+        if !touched {
+            continue;
+        }
+        let object = surfaces.skin(number).object;
+        let one = usize::from(a == b || b == c || c == a);
+        match lost.iter_mut().find(|(known, _)| *known == object) {
+            Some((_, count)) => *count += one,
+            None => lost.push((object, one)),
+        }
+    }
+    lost.into_iter().find_map(|(object, lost)| {
+        let placed = &surfaces.placed[object as usize];
+        let Object::Mesh(mesh) = &placed.object.value.value else { return None };
+        let (mend, size) = (mesh.mend.0, placed.bounds().size());
+        let (most, of) = (GAP * size, placed.body.triangles());
+        let wide = match mend {
+            _ if mend > most => Wide::Than { mend, size, most },
+            _ if mend > 0.0 && lost as f64 > (LOST * of as f64).max(1.0) => {
+                Wide::Loses { mend, lost, of }
+            }
+            _ => return None,
+        };
+        Some((object, wide))
+    })
 }
 
 /// Where a point goes.

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::closing::{Reach, moved};
+use super::closing::{self, Reach, moved};
 use super::crossing;
 use super::errors::matter as errors;
 use super::flush::{self, Flush, Pushed};
@@ -19,9 +19,6 @@ use super::yields::Yields;
 use crate::diag::Diagnostic;
 use crate::load::Stage;
 use crate::scene::{At, Medium, Named};
-
-/// Part of half the size of a scene that rounding takes: five steps of single precision below 1.
-const TOGETHER: f64 = 5.0 / (1 << 24) as f64;
 
 /// Media, and where they are.
 pub struct Matter<'a> {
@@ -87,7 +84,7 @@ impl<'a> Matter<'a> {
             found.push(errors::disk(owner.name()));
         }
         let yields = Yields::of(placed);
-        let together = together(stage, placed);
+        let together = view::together(&stage.scene.camera.value, placed);
         let (mut seams, closed) = matter.close(&mut surfaces, found);
         if !closed || !surfaces.disks.is_empty() {
             return matter;
@@ -183,6 +180,11 @@ impl<'a> Matter<'a> {
         let mut seams = Seams::of(surfaces);
         if !seams.open.is_empty() {
             let moves = Reach::of(surfaces, &seams.open).moves(&seams.open);
+            if let Some((object, wide)) = closing::too_wide(surfaces, &moves) {
+                let Placed { object, .. } = &surfaces.placed[object as usize];
+                found.push(errors::wide_mend(&object.name, object.value.value.mend(), wide));
+                return (seams, false);
+            }
             if !moves.is_empty() {
                 for face in &mut surfaces.faces {
                     face.corners = face.corners.map(|corner| moved(&moves, corner));
@@ -379,13 +381,6 @@ impl Before {
             };
         }
     }
-}
-
-/// Surfaces nearer to each other, in metres, lie on each other: rays are of single precision, in
-/// which the objects fill about [-1, 1], and end in rounding before they tell them apart.
-fn together(stage: &Stage, placed: &[Placed]) -> f64 {
-    let all = view::extent(&stage.scene.camera.value, placed);
-    if all.is_empty() { 0.0 } else { TOGETHER * all.half().max_element() }
 }
 
 fn medium_name<'m>(media: &[Option<&'m Named<Medium>>], number: u32) -> &'m str {

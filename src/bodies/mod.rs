@@ -7,6 +7,7 @@
 //! how often each goes round a point tells what is where (solids, layers for planes). Surfaces of
 //! bodies must not cross (crossing), and where one ends at another they are parted (flush). What they say against it is told apart (contradicted).
 
+mod asked;
 mod charts;
 mod closing;
 mod contradicted;
@@ -16,6 +17,7 @@ mod flat;
 mod flush;
 mod layers;
 mod matter;
+mod needless;
 mod overlaps;
 mod placed;
 mod seams;
@@ -31,7 +33,8 @@ pub use contradicted::{Contradicted, contradicted};
 pub use errors::matter::place as place_in_words;
 pub use flat::Flat;
 pub use matter::Matter;
+pub use needless::{Because, Needless, needless, unseen};
 pub use overlaps::Overlaps;
 pub use placed::{Body, Placed, place};
 pub use seams::Sets;
-pub use view::{extent, eye};
+pub use view::{extent, eye, is_on, together};

@@ -2,10 +2,14 @@
 
 use glam::DVec3;
 
+use super::crossing::nearest;
 use super::placed::{Body, Placed};
 use crate::diag::Span;
 use crate::math::Bounds;
 use crate::scene::{Camera, Scene};
+
+/// Part of half the size of a scene that rounding takes: five steps of single precision below 1.
+const TOGETHER: f64 = 5.0 / (1 << 24) as f64;
 
 /// Where a camera stands, in metres, and where that is said; None where nothing says it.
 pub fn eye(scene: &Scene, placed: &[Placed]) -> Option<(DVec3, Span)> {
@@ -36,4 +40,32 @@ pub fn extent(camera: &Camera, placed: &[Placed]) -> Bounds {
         Camera::Overview(_) => None,
     };
     Bounds::around(planes.chain(eye))
+}
+
+/// Surfaces nearer to each other, in metres, lie on each other: rays are of single precision, in
+/// which the objects fill about [-1, 1], and end in rounding before they tell them apart.
+pub fn together(camera: &Camera, placed: &[Placed]) -> f64 {
+    let all = extent(camera, placed);
+    if all.is_empty() { 0.0 } else { TOGETHER * all.half().max_element() }
+}
+
+/// Whether a point lies on the surface of an object, to within so many metres.
+pub fn is_on(object: &Placed, p: DVec3, within: f64) -> bool {
+    let on = |corners: [DVec3; 3]| nearest(p, corners).distance(p) <= within;
+    match &object.body {
+        Body::Mesh { mesh, to_metres } => {
+            let Bounds { min, max } = object.bounds();
+            let corners = |of: &[u32; 3]| of.map(|i| to_metres.point(mesh.positions[i as usize]));
+            let around = Bounds { min: min - within, max: max + within };
+            around.holds(p) && mesh.triangles.iter().any(|of| on(corners(of)))
+        }
+        Body::Face { corners, .. } => {
+            (1..corners.len() - 1).any(|i| on([corners[0], corners[i], corners[i + 1]]))
+        }
+        Body::Sphere { centre, radius, .. } => (p.distance(*centre) - radius).abs() <= within,
+        Body::Disk { centre, normal, radius, .. } => {
+            normal.dot(p - centre).abs() <= within && p.distance(*centre) <= *radius
+        }
+        Body::Plane { point, normal, .. } => normal.dot(p - point).abs() <= within,
+    }
 }

@@ -77,6 +77,7 @@ codes! {
     LINT_ALLOW_UNUSED = "lint/allow-unused";
     LINT_ALLOW_WITHOUT_REASON = "lint/allow-without-reason";
     LINT_CAMERA_INSIDE = "lint/camera-inside";
+    LINT_CAMERA_ON_SURFACE = "lint/camera-on-surface";
     LINT_CAMERA_SEES_NOTHING = "lint/camera-sees-nothing";
     LINT_CLEAR_METAL = "lint/clear-metal";
     LINT_COINCIDENT_SURFACES = "lint/coincident-surfaces";
@@ -99,9 +100,11 @@ codes! {
     LINT_MISSING_CAPTION = "lint/missing-caption";
     LINT_MIXED_SCALE = "lint/mixed-scale";
     LINT_NAMES_BY_CASE = "lint/names-by-case";
+    LINT_NEEDLESS_YIELD = "lint/needless-yield";
     LINT_NOISY_FILTER = "lint/noisy-filter";
     LINT_NON_MANIFOLD = "lint/non-manifold";
     LINT_OUTSIDE_CONTRADICTED = "lint/outside-contradicted";
+    LINT_SAME_AROUND = "lint/same-around";
     LINT_SAME_CAPTION = "lint/same-caption";
     LINT_SAME_MEDIUM = "lint/same-medium";
     LINT_SAME_PICTURE = "lint/same-picture";
@@ -128,7 +131,9 @@ codes! {
     MATTER_NOT_FOLLOWED = "matter/not-followed";
     MATTER_OPEN = "matter/open";
     MATTER_TOO_MANY = "matter/too-many";
+    MATTER_TOO_SMALL = "matter/too-small";
     MATTER_TURNED = "matter/turned";
+    MATTER_WIDE_MEND = "matter/wide-mend";
     MESH_BAD_INDEX = "mesh/bad-index";
     MESH_BAD_NUMBER = "mesh/bad-number";
     MESH_CONCAVE_FACE = "mesh/concave-face";

@@ -3,12 +3,13 @@
 //! `kind: value` states the whole, `kind.part: value` changes a part of what is stated, `without`
 //! removes. An item wins only over those its setup or render builds on.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, HashSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
 use super::ast::Word;
-use super::check::{Declared, default_value, position};
+use super::check::{Declared, Removed, default_value, position};
 use super::errors::{name as names, render, types};
 use super::eval::Evaluator;
 use super::resolve::{Action, Plan, TOP, What};
@@ -31,6 +32,8 @@ pub struct Composer<'a> {
     /// Parts and removals that meet nothing are not told: the setup may be meant to be used with
     /// another one.
     pub lenient: bool,
+    /// What the last composition took away, and where that is said.
+    pub removed: RefCell<Removed>,
 }
 
 impl Composer<'_> {
@@ -50,19 +53,24 @@ impl Composer<'_> {
             .map(|(key, _)| key.clone())
             .collect();
         let mut declared = Declared::new();
+        let mut removed = Removed::new();
         for (key, group) in groups {
             let named = |kind: &str| -> Vec<&str> {
                 stated.iter().filter(|(k, _)| *k == kind).map(|(_, name)| &**name).collect()
             };
-            match self.declaration(group, used, &named) {
+            match self.declaration(&group, used, &named) {
                 Some(found) => {
                     declared.insert(key, found);
                 }
                 // What is stated and wrong is not missing.
                 None if key.1.is_empty() => self.ev.reports.poison([key.0.to_string()]),
-                None => {}
+                None => {
+                    let taken = group.iter().find(|(_, it)| matches!(it.what, What::Remove));
+                    removed.extend(taken.map(|(_, action)| (key, action.path)));
+                }
             }
         }
+        self.removed.replace(removed);
         declared
     }
 
@@ -78,7 +86,7 @@ impl Composer<'_> {
 
     fn declaration<'n>(
         &self,
-        group: Group,
+        group: &Group,
         used: &mut HashSet<Span>,
         named: &dyn Fn(&str) -> Vec<&'n str>,
     ) -> Option<(Word, Value)> {
@@ -102,7 +110,7 @@ impl Composer<'_> {
                 continue;
             }
             used.insert(action.path);
-            value = self.applied(value, action, &group, named)?;
+            value = self.applied(value, action, group, named)?;
         }
         value
     }

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::ast::Word;
-use super::check::{Checker, Declared, Item, default_value};
+use super::check::{Checker, Declared, Item, Removed, default_value};
 use super::errors::{circle, types};
 use super::eval::Evaluator;
 use super::{defaults, limits};
@@ -23,12 +23,13 @@ pub struct Lowered {
 /// Checks the declarations of a render, which stands at `span`.
 pub fn lower(
     ev: &Evaluator,
-    declared: &Declared,
+    (declared, removed): (&Declared, &Removed),
     span: Span,
     lenient_beyond: Option<FileId>,
 ) -> Lowered {
     let before = ev.reports.errors();
     let mut checker = Checker::new(ev, declared);
+    checker.removed = Some(removed);
     checker.lenient_beyond = lenient_beyond;
     let mut items: Vec<Item> = Vec::new();
     let mut missing = Vec::new();

@@ -29,6 +29,7 @@ mod unused;
 mod value;
 pub mod words;
 
+use std::cell::RefCell;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -184,7 +185,7 @@ fn check_renders(
     only: &[String],
     main: FileId,
 ) -> (Vec<Render>, Missing) {
-    let mut composer = Composer { ev, plan, sets, lenient: false };
+    let mut composer = Composer { ev, plan, sets, lenient: false, removed: RefCell::default() };
     let mut used = HashSet::new();
     let mut renders = Vec::new();
     let mut missing = Vec::new();
@@ -195,7 +196,7 @@ fn check_renders(
         let before = ev.reports.errors();
         composer.sets = if only.is_empty() || only.contains(&name.value) { sets } else { &[] };
         let declared = composer.compose(*scope, &mut used);
-        let lowered = lower::lower(ev, &declared, name.span, None);
+        let lowered = lower::lower(ev, (&declared, &composer.removed.borrow()), name.span, None);
         missing.extend(lowered.missing.into_iter().map(|kind| (i, kind)));
         if let Some(scene) = lowered.scene.filter(|_| ev.reports.errors() == before) {
             renders.push(Render { name: name.clone(), scene: Arc::new(scene) });
@@ -205,7 +206,7 @@ fn check_renders(
     for (i, scope) in plan.scopes.iter().enumerate() {
         if !ev.spent() && scope.actions.iter().any(|action| !used.contains(&action.path)) {
             let declared = composer.compose(i, &mut HashSet::new());
-            lower::lower(ev, &declared, scope.span, Some(main));
+            lower::lower(ev, (&declared, &composer.removed.borrow()), scope.span, Some(main));
         }
     }
     (renders, missing)

@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use glam::{DVec3, Vec3};
 
-use super::errors::scene as errors;
+use super::errors::{matter, scene as errors};
 use super::instances::Meshes;
 use super::lights::LampParts;
 use super::materials::Table;
 use super::space::Space;
 use crate::bodies::{Body, Matter, Placed};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Level};
 use crate::load::Stage;
 use crate::math::{Mesh, Progress, Transform};
 use crate::plan::{Feature, Plan};
@@ -44,6 +44,11 @@ const LEAST_AREA: f64 = f32::MIN_POSITIVE as f64;
 /// Objects smaller than so many steps of single precision at the place where they are have lost
 /// their form.
 const LEAST_STEPS: f64 = 16.0;
+
+/// Clear matter of fewer steps loses more than one part in 5,000 of the light that goes through it; of
+/// fewer than `LEAST_CLEAR` one part in 100, and at its rim a third.
+const FEW_CLEAR: f64 = 2500.0;
+const LEAST_CLEAR: f64 = 100.0;
 
 /// Distance of a plane from the middle of the scene, in world units: so far away it shows its
 /// horizon and no more, and well before 2⁶⁰ rays do not meet it any more.
@@ -92,9 +97,7 @@ pub(super) fn assemble(
             let triangles = placed.body.triangles() as u64;
             let counted = Counted { triangles, instance: true, ..Counted::default() };
             all.objects[placed.number as usize] = counted;
-            if !space.tells(placed) {
-                found.push(errors::too_small(placed.name()));
-            }
+            found.extend(too_small(stage, placed, space));
             continue;
         }
         let mut one = One {
@@ -112,10 +115,12 @@ pub(super) fn assemble(
         let (lamps, slivers) = (one.lamps, one.slivers);
         all.lamps.extend(lamps.into_values());
         all.slivers += slivers;
-        if slivers > 0 {
-            found.push(errors::lost_triangles(placed.name(), slivers, placed.body.triangles()));
-        } else if !space.tells(placed) {
-            found.push(errors::too_small(placed.name()));
+        match too_small(stage, placed, space) {
+            Some(fault) if slivers == 0 || fault.level == Level::Error => found.push(fault),
+            None if slivers == 0 => {}
+            _ => {
+                found.push(errors::lost_triangles(placed.name(), slivers, placed.body.triangles()));
+            }
         }
     }
     progress.advance(bodies.len() as u64, bodies.len() as u64);
@@ -134,16 +139,31 @@ fn vectors(body: &Body) -> (usize, usize) {
 /// Triangles beyond which a scene is refused: they would need some 20 GB.
 const MOST_TRIANGLES: usize = Shapes::MOST / 8;
 
+/// What single precision takes of an object's form, where that is told.
+fn too_small(stage: &Stage, placed: &Placed, space: &Space) -> Option<Diagnostic> {
+    let steps = space.steps(placed);
+    let light_goes_through = stage.scene.integrator.follows_light() && placed.transmits();
+    match steps {
+        _ if light_goes_through && steps < LEAST_CLEAR => {
+            Some(matter::too_small(placed.name(), steps, LEAST_CLEAR))
+        }
+        _ if light_goes_through && steps < FEW_CLEAR || steps < LEAST_STEPS => {
+            Some(errors::too_small(placed.name(), steps, light_goes_through))
+        }
+        _ => None,
+    }
+}
+
 impl Space {
-    /// Whether single precision can tell the object's form.
-    fn tells(&self, placed: &Placed) -> bool {
+    /// How many steps of single precision an object is across, at the place where it is.
+    fn steps(&self, placed: &Placed) -> f64 {
         let bounds = placed.bounds();
         if bounds.is_empty() {
-            return true;
+            return f64::INFINITY;
         }
         let farthest = self.point(bounds.min).abs().max(self.point(bounds.max).abs());
         let step = farthest.max_element() * f64::from(f32::EPSILON);
-        2.0 * self.length(bounds.half().max_element()) >= LEAST_STEPS * step
+        2.0 * self.length(bounds.half().max_element()) / step
     }
 }
 

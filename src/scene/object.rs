@@ -3,6 +3,7 @@
 use super::schema::Range;
 use super::vocabulary::vocabulary;
 use super::{At, Direction, FileName, Length, Material, NameOf, Place, Point, Ref};
+use crate::diag::Span;
 
 vocabulary! {
     /// A surface, or many.
@@ -108,6 +109,14 @@ vocabulary! {
 }
 
 impl Object {
+    /// Where it says how far points of its open edges may lie apart and are joined.
+    pub fn mend(&self) -> Option<Span> {
+        match self {
+            Self::Mesh(it) => Some(it.mend.span),
+            _ => None,
+        }
+    }
+
     /// The object it yields to.
     pub fn yields_to(&self) -> &At<Option<NameOf<Object>>> {
         match self {

@@ -212,6 +212,54 @@ fn a_hole_is_told_and_a_crack_is_told_with_its_width_and_mended() {
 }
 
 #[test]
+fn a_mend_that_is_wider_than_the_body_or_its_triangles_is_refused() {
+    let whole = lathe(TUMBLER, 24);
+    // Most of the top of the wine is left out.
+    let holed: Vec<&str> = whole.lines().take(whole.lines().count() - 20).collect();
+    let folder = folder(&[("goblet.obj", &holed.join("\n")), ("closed.obj", &whole)]);
+    let mended = |file: &str, mend: &str| {
+        let unit = format!("unit: m, mend: {mend}");
+        let text = POURED.replace("unit: m", &unit).replace("goblet.obj", file);
+        world_in(folder.path(), &text)
+    };
+    let report = mended("goblet.obj", "3 m").err().expect("nothing would be left");
+    assert!(report.contains("`mend: 3 m` is wider than a gap of `goblet`"), "{report}");
+    assert!(report.contains("which is 3.5 m across"), "{report}");
+    // A fiftieth of it is 7 cm: too little to join neighbours on its rim.
+    let report = mended("goblet.obj", "6 cm").err().expect("it is open");
+    assert!(report.contains("matter/open"), "{report}");
+    // What is closed is left alone, whatever is said.
+    assert!(mended("closed.obj", "3 m").is_ok());
+    // Neighbours on a rim of many sides are near to each other.
+    let fine = lathe(TUMBLER, 240);
+    let fine: Vec<&str> = fine.lines().take(fine.lines().count() - 230).collect();
+    std::fs::write(folder.path().join("fine.obj"), fine.join("\n")).unwrap();
+    let report = mended("fine.obj", "6 cm").err().expect("its rim would be drawn together");
+    assert!(report.contains("is wider than triangles of `goblet`: it would lose"), "{report}");
+}
+
+#[test]
+fn clear_matter_too_small_for_single_precision_is_told_and_refused() {
+    let found = |far: f64, material: &str| {
+        let text = format!(
+            "object it: sphere {{ center: (0, 0, 0), radius: 1 m, material: {material} }}
+            object far: sphere {{ center: ({far}, 0, 0), radius: 1 m, material: diffuse {{ albedo: 0.5 }} }}\n"
+        );
+        match world(&text) {
+            Err(report) => report,
+            Ok(_) => String::new(),
+        }
+    };
+    let glass = "dielectric { inside: glass }";
+    assert!(found(1e6, glass).contains("matter/too-small"));
+    let report = found(1e5, glass);
+    assert!(report.contains("scene/too-small") && report.contains("336 steps"), "{report}");
+    assert!(report.contains("Some of the light that goes through it is lost."), "{report}");
+    assert_eq!(found(1e4, glass), "");
+    assert_eq!(found(1e6, "diffuse { albedo: 0.5 }"), "");
+}
+
+#[test]
 fn quads_of_six_objects_bound_one_body_and_five_do_not() {
     let mut quads = String::new();
     let sides_of_box = [

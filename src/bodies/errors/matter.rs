@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use crate::bodies::closing::Wide;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::scene::At;
 
@@ -77,6 +78,47 @@ pub fn gap(medium: &str, objects: &[&At<String>], width: f64, at: DVec3) -> Diag
             length(width, Round::Up)
         ),
     )
+}
+
+/// A mesh that would lose its form by what it says that may be mended, at `said`.
+pub fn wide_mend(object: &At<String>, said: Option<Span>, wide: Wide) -> Diagnostic {
+    let (headline, why, help) = match wide {
+        Wide::Than { mend, size, most } => (
+            format!(
+                "`mend: {}` is wider than a gap of `{}`, which is {} across",
+                length(mend, Round::Near),
+                **object,
+                length(size, Round::Near)
+            ),
+            "All points of open edges that are so near to each other become one: more than a crack \
+             would be drawn together."
+                .to_string(),
+            format!(
+                "write at most `mend: {}`, a fiftieth of it; close holes in the program that made \
+                 the mesh",
+                length(0.9 * most, Round::Near)
+            ),
+        ),
+        Wide::Loses { mend, lost, of } => (
+            format!(
+                "`mend: {}` is wider than triangles of `{}`: it would lose {lost} of {of}",
+                length(mend, Round::Near),
+                **object
+            ),
+            "All points of open edges that are so near to each other become one, along an edge as \
+             well as across a gap."
+                .to_string(),
+            "write a `mend` as wide as the gap, and no wider: without it the gap is told with its \
+             width"
+                .to_string(),
+        ),
+    };
+    let fault = Diagnostic::error(Code::MATTER_WIDE_MEND, headline);
+    let fault = match said {
+        Some(said) => fault.label(said, "joins what is not meant to be joined"),
+        None => fault.label(object.span, "joins what is not meant to be joined"),
+    };
+    fault.why(why).help(help)
 }
 
 /// Faces side by side of which one looks outward and one inward. `swap`: a material there that names

@@ -178,6 +178,10 @@ impl Checker<'_> {
             if variant.is_none() {
                 if !self.lenient(word.span) {
                     ev.reports.tell_unknown_with(&word.text, word.span, || {
+                        let key = (kind, word.text.clone());
+                        if let Some(at) = self.removed.and_then(|all| all.get(&key)) {
+                            return names::taken_away(place, kind, word, *at);
+                        }
                         let declared = self.names_of(kind);
                         let place = format!("`{place}`");
                         let named = variants.and_then(|v| elsewhere::meant(v.name, &word.text));

@@ -28,6 +28,9 @@ pub use spectral::complex;
 /// The declarations of a render before they are checked: kind and name → value.
 pub type Declared = BTreeMap<(&'static str, Arc<str>), (Word, Value)>;
 
+/// Declarations that a render takes away, by kind and name: where.
+pub type Removed = BTreeMap<(&'static str, Arc<str>), Span>;
+
 /// A declaration that was checked.
 pub type Item = (&'static str, At<String>, At<Checked>);
 
@@ -35,6 +38,8 @@ pub type Item = (&'static str, At<String>, At<Checked>);
 pub struct Checker<'a> {
     ev: &'a Evaluator<'a>,
     declared: &'a Declared,
+    /// What the render takes away.
+    pub removed: Option<&'a Removed>,
     /// Values that stood where a name was expected, as declarations of their own.
     hoisted: RefCell<Vec<Item>>,
     /// Files whose unknown names are not missed: they are there for others to complete.
@@ -52,6 +57,7 @@ impl<'a> Checker<'a> {
         Self {
             ev,
             declared,
+            removed: None,
             hoisted: RefCell::default(),
             lenient_beyond: None,
             open: RefCell::default(),

@@ -378,6 +378,19 @@ pub fn unknown_declaration(
     offer(told, &word.text, word.span, declared, &format!("the {} declared are", plural(kind)))
 }
 
+/// The name of a declaration that the same render takes away; `place`: what names it.
+pub fn taken_away(place: &str, kind: &str, word: &Word, at: Span) -> Diagnostic {
+    let headline = format!("`{place}` names the {kind} `{}`, which is taken away", word.text);
+    Diagnostic::error(Code::NAME_UNKNOWN_DECLARATION, headline)
+        .label(word.span, "is still named here …")
+        .label(at, "… where this takes it away")
+        .help(format!(
+            "beside it let `{place}` name another {kind}; or say `{place}` only in the renders that \
+             have `{}`",
+            word.text
+        ))
+}
+
 /// A value where the name of a declaration belongs, or one in its place. `made`: what of its kind
 /// may be made of it.
 pub fn no_declaration(

@@ -2,6 +2,7 @@
 
 mod albedo_above_one;
 mod camera_inside;
+mod camera_on_surface;
 mod camera_sees_nothing;
 mod clear_metal;
 mod coincident_surfaces;
@@ -24,9 +25,11 @@ mod many_turns;
 mod missing_caption;
 mod mixed_scale;
 mod names_by_case;
+mod needless_yield;
 mod noisy_filter;
 mod non_manifold;
 mod outside_contradicted;
+mod same_around;
 mod same_caption;
 mod same_medium;
 mod same_picture;
@@ -53,6 +56,7 @@ use crate::diag::Code;
 pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_ALBEDO_ABOVE_ONE, look: Look::Render(albedo_above_one::look) },
     Rule { code: Code::LINT_CAMERA_INSIDE, look: Look::Render(camera_inside::look) },
+    Rule { code: Code::LINT_CAMERA_ON_SURFACE, look: Look::Render(camera_on_surface::look) },
     Rule { code: Code::LINT_CAMERA_SEES_NOTHING, look: Look::Render(camera_sees_nothing::look) },
     Rule { code: Code::LINT_CLEAR_METAL, look: Look::Render(clear_metal::look) },
     Rule { code: Code::LINT_COINCIDENT_SURFACES, look: Look::Render(coincident_surfaces::look) },
@@ -75,9 +79,11 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_MISSING_CAPTION, look: Look::Renders(missing_caption::look) },
     Rule { code: Code::LINT_MIXED_SCALE, look: Look::Render(mixed_scale::look) },
     Rule { code: Code::LINT_NAMES_BY_CASE, look: Look::Text(names_by_case::look) },
+    Rule { code: Code::LINT_NEEDLESS_YIELD, look: Look::Render(needless_yield::look) },
     Rule { code: Code::LINT_NOISY_FILTER, look: Look::Render(noisy_filter::look) },
     Rule { code: Code::LINT_NON_MANIFOLD, look: Look::Render(non_manifold::look) },
     Rule { code: Code::LINT_OUTSIDE_CONTRADICTED, look: Look::Render(outside_contradicted::look) },
+    Rule { code: Code::LINT_SAME_AROUND, look: Look::Render(same_around::look) },
     Rule { code: Code::LINT_SAME_CAPTION, look: Look::Renders(same_caption::look) },
     Rule { code: Code::LINT_SAME_MEDIUM, look: Look::Render(same_medium::look) },
     Rule { code: Code::LINT_SAME_PICTURE, look: Look::Renders(same_picture::look) },

@@ -16,6 +16,16 @@ pub fn not_followed(medium: &At<String>, at: Span, does: &str, index: bool) -> D
         })
 }
 
+/// A body of clear matter that is so few steps of single precision across: less than `least`.
+pub fn too_small(name: &At<String>, steps: f64, least: f64) -> Diagnostic {
+    let headline =
+        format!("`{}` is too small beside the rest of the scene to be rendered as clear", **name);
+    Diagnostic::error(Code::MATTER_TOO_SMALL, headline)
+        .label(name.span, format!("{steps:.0} steps of single precision across; {least} is least"))
+        .why("Single precision tells positions apart to one part in 16 million of the distance from the middle of the scene. Rays would miss the far side of so small a body, and their light be lost.")
+        .help("check its unit; or leave out what makes the scene so large")
+}
+
 /// A medium whose absorption is said in two ways.
 pub fn absorbs_twice(medium: &At<String>, index: Span, absorption: Span) -> Diagnostic {
     let headline = format!("the absorption of the medium `{}` is said twice", **medium);

@@ -188,13 +188,18 @@ pub fn lost_triangles(name: &At<String>, lost: u64, of: usize) -> Diagnostic {
         .help("if they matter, leave out what makes the scene so large, or render them in a scene of their own")
 }
 
-/// An object that is a few steps of single precision wide.
-pub fn too_small(name: &At<String>) -> Diagnostic {
+/// An object that is a few steps of single precision wide. `clear`: light goes through it.
+pub fn too_small(name: &At<String>, steps: f64, clear: bool) -> Diagnostic {
     let headline =
         format!("`{}` is too small beside the rest of the scene to keep its form", **name);
+    let label = format!(
+        "{steps:.0} steps of single precision across: places on it are off by {:.1} % of its size",
+        50.0 / steps.max(0.5)
+    );
+    let lost = if clear { " Some of the light that goes through it is lost." } else { "" };
     Diagnostic::warning(Code::SCENE_TOO_SMALL, headline)
-        .label(name.span, "less than 16 steps of single precision across")
-        .why("Single precision tells positions apart to one part in 16 million of the distance from the middle of the scene.")
+        .label(name.span, label)
+        .why(format!("Single precision tells positions apart to one part in 16 million of the distance from the middle of the scene.{lost}"))
         .help("check its unit; or leave out what makes the scene so large")
 }
 
