@@ -29,6 +29,8 @@ pub struct PixelSums {
     squares: [f64; 3],
     largest: [f32; 3],
     part: [f64; 3],
+    /// Whether a round is whole.
+    whole: bool,
     /// None where it is not asked for.
     within: Option<[f64; 3]>,
 }
@@ -48,18 +50,22 @@ impl Begun {
     /// The sums of one pixel.
     pub fn pixel(&self, index: usize) -> PixelSums {
         PixelSums {
-            sum: self.whole.sums[index],
-            squares: self.whole.squares[index],
+            sum: self.whole.sums.get(index).copied().unwrap_or_default(),
+            squares: self.whole.squares.get(index).copied().unwrap_or_default(),
             largest: self.whole.largest[index],
             part: self.part.get(index).copied().unwrap_or_default(),
+            whole: !self.whole.sums.is_empty(),
             within: self.within.get(index).copied(),
         }
     }
 
     /// Puts the sums of a pixel back.
     pub fn put(&mut self, index: usize, pixel: &PixelSums) {
-        self.whole.sums[index] = pixel.sum;
-        self.whole.squares[index] = pixel.squares;
+        if pixel.whole {
+            self.whole.make_rounds();
+            self.whole.sums[index] = pixel.sum;
+            self.whole.squares[index] = pixel.squares;
+        }
         self.whole.largest[index] = pixel.largest;
         if let Some(part) = self.part.get_mut(index) {
             *part = pixel.part;
@@ -86,6 +92,7 @@ impl PixelSums {
         for (largest, value) in self.largest.iter_mut().zip(value) {
             *largest = largest.max(value.abs() as f32);
         }
+        self.whole |= (nth + 1).is_multiple_of(rhythm.round);
         if rhythm.round == 1 {
             take(&mut self.sum, &mut self.squares, value, nth + 1);
             return;

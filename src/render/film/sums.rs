@@ -7,9 +7,9 @@ use crate::render::tiles::Counts;
 /// Sums over samples of each pixel of a tile, row by row from the top left, in light units.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sums {
-    /// Σx of red, green and blue.
+    /// Σx of red, green and blue; empty if there is no whole round.
     pub(super) sums: Vec<[f64; 3]>,
-    /// Σ(y − mean)² over rounds, y the sum of a round.
+    /// Σ(y − mean)² over rounds, y the sum of a round; empty if there is none.
     pub(super) squares: Vec<[f64; 3]>,
     /// The largest |x|.
     pub(super) largest: Vec<[f32; 3]>,
@@ -24,17 +24,32 @@ impl Sums {
     /// Nothing yet.
     pub(super) fn new(pixels: usize, layers: usize) -> Self {
         Self {
-            sums: vec![[0.0; 3]; pixels],
-            squares: vec![[0.0; 3]; pixels],
+            sums: Vec::new(),
+            squares: Vec::new(),
             largest: vec![[0.0; 3]; pixels],
             layers: vec![[0.0; 3]; pixels * layers],
             counts: Counts::default(),
         }
     }
 
-    /// Whether there are so many pixels in every sum, and so many layers of each.
-    pub(super) fn fits(&self, pixels: usize, layers: usize) -> bool {
-        [self.sums.len(), self.squares.len(), self.largest.len()] == [pixels; 3]
+    /// The same with sums over rounds, if of none.
+    pub(super) fn with_rounds(mut self) -> Self {
+        self.make_rounds();
+        self
+    }
+
+    /// Makes place for sums over rounds, if there is none.
+    pub(super) fn make_rounds(&mut self) {
+        let pixels = self.largest.len();
+        self.sums.resize(pixels, [0.0; 3]);
+        self.squares.resize(pixels, [0.0; 3]);
+    }
+
+    /// Whether there are so many pixels in every sum, and so many layers of each; with sums over
+    /// rounds, or without.
+    pub(super) fn fits(&self, pixels: usize, layers: usize, rounds: bool) -> bool {
+        let of_rounds = if rounds { pixels } else { 0 };
+        [self.sums.len(), self.squares.len(), self.largest.len()] == [of_rounds, of_rounds, pixels]
             && Some(self.layers.len()) == pixels.checked_mul(layers)
     }
 

@@ -90,7 +90,8 @@ impl Taken {
                 let blocks = 1_u64.checked_shl(branch.level).unwrap_or(u64::MAX);
                 let start = branch.index.checked_mul(blocks);
                 let end = block.saturating_add(blocks);
-                let fits = start == Some(block) && end <= last && branch.sums.fits(pixels, layers);
+                let sums = branch.sums.fits(pixels, layers, true);
+                let fits = start == Some(block) && end <= last && sums;
                 block = end;
                 fits
             });
@@ -101,7 +102,7 @@ impl Taken {
                     (Some(sums), Some(begun)) => {
                         let like = Begun::new([pixels, 0], block, rhythm);
                         (1..rhythm.block).contains(&begun)
-                            && sums.whole.fits(pixels, layers)
+                            && sums.whole.fits(pixels, layers, begun >= rhythm.round)
                             && sums.part.len() == like.part.len()
                             && sums.within.len() == like.within.len()
                     }
@@ -189,7 +190,8 @@ impl Taken {
     /// Bytes a pixel with so many layers while a render goes on to so many samples: the sums kept,
     /// and those of the pass at work.
     pub fn bytes_a_pixel(samples: u64, layers: usize, rhythm: Rhythm) -> u64 {
-        let sums = ((2 + layers) * size_of::<[f64; 3]>() + size_of::<[f32; 3]>()) as u64;
+        let rounds = if samples < rhythm.round { 0 } else { 2 };
+        let sums = ((rounds + layers) * size_of::<[f64; 3]>() + size_of::<[f32; 3]>()) as u64;
         let begun = if rhythm.round > 1 { 2 * size_of::<[f64; 3]>() as u64 } else { 0 };
         let branches = u64::from(u64::BITS - (samples / rhythm.block).leading_zeros());
         branches * sums + 2 * (sums + begun)
@@ -271,7 +273,7 @@ impl Taken {
         let mut parts =
             begun.into_iter().chain(branches.map(|it| (&it.sums, it.rounds(self.rhythm))));
         let (first, mut rounds) = parts.next()?;
-        let mut sums = first.clone();
+        let mut sums = first.clone().with_rounds();
         for (part, others) in parts {
             sums.add(rounds, part, others);
             rounds += others;
