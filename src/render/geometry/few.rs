@@ -17,7 +17,7 @@ use super::ray::{Probe, Ray};
 use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
 use super::triangle::Face;
-use super::wide::{Job, MOST, Row, Wide};
+use super::wide::{Job, MOST, Numbers, Row, Wide};
 use super::{Geometry, disk, plane, sphere};
 
 /// More triangles than this are better met by way of the tree.
@@ -52,7 +52,7 @@ struct Leaf {
     end: usize,
 }
 
-/// What f64 wants of a triangle.
+/// What f64 wants of a triangle; the last stands for none.
 struct Exact {
     normal: [f64; 3],
     corner: [f64; 3],
@@ -111,6 +111,12 @@ impl Few {
                 }
             }
         }
+        few.exact.push(Exact {
+            normal: [0.0; 3],
+            corner: [0.0; 3],
+            primitive: Primitive::new(Kind::Plane, 0),
+            place: 0,
+        });
         few.alone = round == 0 && crowd.is_empty();
         few.round = shapes.primitives().filter(|p| p.kind() != Kind::Triangle).collect();
         (few.plates.len() <= MOST_TRIANGLES).then_some(few)
@@ -123,7 +129,7 @@ impl Few {
                 continue;
             }
             let normal = face.exact_normal();
-            self.plates.push(Plate::new(&face, normal.into()));
+            self.plates.push(Plate::new(&face, normal.into(), block.primitive(lane)));
             self.exact.push(Exact {
                 normal,
                 corner: face.corners[0].map(f64::from),
@@ -139,6 +145,27 @@ impl Few {
             + self.plates.capacity() * size_of::<Plate>()
             + self.exact.capacity() * size_of::<Exact>()
             + self.round.capacity() * size_of::<Primitive>()
+    }
+}
+
+/// What the rays of a packet meet first.
+struct Found {
+    t: Row,
+    primitive: [u32; MOST],
+    place: [u32; MOST],
+    /// A bit for each ray that meets something.
+    met: u32,
+    /// A bit for each ray that was asked: others are to be asked alone.
+    asked: u32,
+}
+
+impl Found {
+    #[inline(always)]
+    fn meeting(&self, lane: usize) -> Option<Meeting> {
+        let bit = lane % MOST;
+        let primitive = Primitive::from_bits(self.primitive[bit]);
+        let meeting = Meeting { t: self.t.0[bit], primitive, place: Place::Tree(self.place[bit]) };
+        (self.met & 1 << bit != 0).then_some(meeting)
     }
 }
 
@@ -166,15 +193,19 @@ impl Job for MeetAll<'_> {
         let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
         for (rays, met) in rays.chunks(W::WIDTH).zip(met.chunks_mut(W::WIDTH)) {
             packet.fill::<W>(if rays.len() < LONELY { &[] } else { rays });
-            let first = few.first(wide, geometry, &packet, &mut doubts);
-            for (lane, (ray, met)) in rays.iter().zip(met).enumerate() {
-                let asked =
-                    packet.active & 1 << lane != 0 && !few.is_left_out(&first.plate, lane, ray);
-                *met = match (asked, few.alone) {
-                    (true, true) => few.meeting(&first, lane),
-                    (true, false) => few.among_others(geometry, ray, few.meeting(&first, lane)),
-                    (false, _) => geometry.meet(ray),
-                };
+            let found = few.first(wide, geometry, &packet, &mut doubts);
+            // Two loops: an answer that comes from elsewhere would be copied by way of memory, and so
+            // would all others.
+            for (lane, met) in met.iter_mut().enumerate() {
+                *met = found.meeting(lane);
+            }
+            for lane in ones(!found.asked & ((1 << rays.len()) - 1)) {
+                met[lane] = geometry.meet(&rays[lane]);
+            }
+            if !few.alone {
+                for lane in ones(found.asked) {
+                    met[lane] = few.among_others(geometry, &rays[lane], met[lane]);
+                }
             }
         }
     }
@@ -195,16 +226,27 @@ impl Job for OccludedAll<'_> {
         let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
         for (rays, occluded) in rays.chunks(W::WIDTH).zip(occluded.chunks_mut(W::WIDTH)) {
             packet.fill::<W>(if rays.len() < LONELY { &[] } else { rays });
-            let (any, plate) = few.any(wide, geometry, &packet, &mut doubts);
-            for (lane, (ray, occluded)) in rays.iter().zip(occluded).enumerate() {
-                let asked = packet.active & 1 << lane != 0 && !few.is_left_out(&plate, lane, ray);
-                *occluded = match asked {
-                    true => any & 1 << lane != 0 || !few.alone && few.others_occlude(geometry, ray),
-                    false => geometry.occluded(ray),
-                };
+            let (any, asked) = few.any(wide, geometry, &packet, &mut doubts);
+            for (lane, occluded) in occluded.iter_mut().enumerate() {
+                *occluded = any & 1 << lane != 0;
+            }
+            for lane in ones(!asked & ((1 << rays.len()) - 1)) {
+                occluded[lane] = geometry.occluded(&rays[lane]);
+            }
+            if !few.alone {
+                for lane in ones(asked & !any) {
+                    occluded[lane] = few.others_occlude(geometry, &rays[lane]);
+                }
             }
         }
     }
+}
+
+/// The places of the bits that are set.
+fn ones(bits: u32) -> impl Iterator<Item = usize> {
+    let some = (bits != 0).then_some(bits);
+    std::iter::successors(some, move |bits| Some(bits & (bits - 1)).filter(|left| *left != 0))
+        .map(|bits| bits.trailing_zeros() as usize)
 }
 
 impl Few {
@@ -216,8 +258,9 @@ impl Few {
         geometry: &Geometry,
         packet: &Packet,
         doubts: &mut Doubts,
-    ) -> First {
+    ) -> Found {
         let (zero, tiny) = (wide.splat(0.0), wide.splat(f32::MIN_POSITIVE));
+        let [leaves, _] = &packet.left_out;
         let mut least = wide.load(&packet.end);
         let mut most = least;
         let mut plate = wide.splat(f32::from_bits(NOTHING));
@@ -230,6 +273,7 @@ impl Few {
                 let known = one.meet(wide, &packet.beam);
                 let beyond = wide.or(wide.less(most, known.low), wide.less(known.high, zero));
                 let missed = wide.or(known.outside, beyond);
+                let missed = wide.or(missed, wide.same(leaves, one.primitive));
                 let ahead = wide.and(wide.less(tiny, known.low), wide.less(known.high, least));
                 let met = wide.and(known.inside, ahead);
                 least = wide.select(met, known.low, least);
@@ -264,8 +308,7 @@ impl Few {
                 self.offer(geometry, packet, &mut first, (lane, number, t.0[lane], inside));
             }
         }
-        self.settle::<W>(packet, &mut first);
-        first
+        self.settle::<W>(packet, &first)
     }
 
     /// Offers a triangle whose plane a ray meets at t, not after what it met so far.
@@ -306,46 +349,47 @@ impl Few {
     }
 
     /// Makes all parameters exact.
+    ///
+    /// A ray may truly meet what it is named not to; that is not asked before, since one that leaves
+    /// or reaches a triangle never certainly meets it.
     #[inline(always)]
-    fn settle<W: Wide>(&self, packet: &Packet, first: &mut First) {
+    fn settle<W: Wide>(&self, packet: &Packet, first: &First) -> Found {
+        let mut found =
+            Found { t: NONE, primitive: [0; MOST], place: [0; MOST], met: 0, asked: packet.active };
         let mut normals = [[0.0; MOST]; 3];
         let mut corners = [[0.0; MOST]; 3];
         for lane in 0..W::WIDTH {
-            let number = first.plate.0[lane].to_bits() as usize;
-            let number = if number < self.exact.len() { number } else { 0 };
-            let Some(exact) = self.exact.get(number) else { return };
+            let exact = &self.exact[self.number(first.plate.0[lane])];
             for axis in 0..3 {
                 normals[axis][lane] = exact.normal[axis];
                 corners[axis][lane] = exact.corner[axis];
             }
+            found.primitive[lane] = exact.primitive.bits();
+            found.place[lane] = exact.place;
         }
-        let [ox, oy, oz] = &packet.beam.origin;
-        let [dx, dy, dz] = &packet.beam.direction;
+        let [ox, oy, oz, _] = &packet.beam.origin;
+        let [dx, dy, dz, _] = &packet.beam.direction;
+        let [Numbers(leaves), Numbers(reaches)] = &packet.left_out;
         for lane in 0..W::WIDTH {
             let normal = [normals[0][lane], normals[1][lane], normals[2][lane]];
             let corner = [corners[0][lane], corners[1][lane], corners[2][lane]];
             let origin = [ox.0[lane], oy.0[lane], oz.0[lane]];
             let direction = [dx.0[lane], dy.0[lane], dz.0[lane]];
-            first.most.0[lane] = parameter(normal, corner, origin, direction);
+            found.t.0[lane] = parameter(normal, corner, origin, direction);
         }
+        for lane in 0..W::WIDTH {
+            let number = found.primitive[lane];
+            let not_to_meet = (number == leaves[lane]) | (number == reaches[lane]);
+            found.met |= u32::from(first.plate.0[lane].to_bits() != NOTHING) << lane;
+            found.asked &= !(u32::from(not_to_meet) << lane);
+        }
+        found
     }
 
-    /// Whether what a ray certainly meets is what it is not to meet. That is not asked before: a ray
-    /// that truly leaves or reaches a triangle never certainly meets it.
+    /// A plate's number from its bits; that of the last for none.
     #[inline(always)]
-    fn is_left_out(&self, plate: &Row, lane: usize, ray: &Ray) -> bool {
-        let met = self.exact.get(plate.0[lane % MOST].to_bits() as usize);
-        met.is_some_and(|met| {
-            let number = met.primitive.bits();
-            number == ray.leaves.bits() || number == ray.reaches.bits()
-        })
-    }
-
-    #[inline(always)]
-    fn meeting(&self, first: &First, lane: usize) -> Option<Meeting> {
-        let Exact { primitive, place, .. } =
-            *self.exact.get(first.plate.0[lane % MOST].to_bits() as usize)?;
-        Some(Meeting { t: first.most.0[lane % MOST], primitive, place: Place::Tree(place) })
+    fn number(&self, bits: f32) -> usize {
+        (bits.to_bits() as usize).min(self.plates.len())
     }
 
     /// What a ray meets first, with what is no triangle.
@@ -398,8 +442,7 @@ impl Few {
         }
     }
 
-    /// A bit for each ray of a packet that meets any triangle, and the last that it certainly does,
-    /// as bits.
+    /// A bit for each ray of a packet that meets any triangle; and one for each that was asked.
     #[inline(always)]
     fn any<W: Wide>(
         &self,
@@ -407,8 +450,9 @@ impl Few {
         geometry: &Geometry,
         packet: &Packet,
         doubts: &mut Doubts,
-    ) -> (u32, Row) {
+    ) -> (u32, u32) {
         let (zero, tiny) = (wide.splat(0.0), wide.splat(f32::MIN_POSITIVE));
+        let [leaves, reaches] = &packet.left_out;
         let end = wide.load(&packet.end);
         let mut any = 0;
         let mut plate = wide.splat(f32::from_bits(NOTHING));
@@ -421,6 +465,8 @@ impl Few {
                 let known = one.meet(wide, &packet.beam);
                 let beyond = wide.or(wide.less(end, known.low), wide.less(known.high, zero));
                 let missed = wide.or(known.outside, beyond);
+                let missed = wide.or(missed, wide.same(leaves, one.primitive));
+                let missed = wide.or(missed, wide.same(reaches, one.primitive));
                 let ahead = wide.and(wide.less(tiny, known.low), wide.less(known.high, end));
                 let met = wide.and(known.inside, ahead);
                 plate = wide.select(met, wide.splat(f32::from_bits(number as u32)), plate);
@@ -432,6 +478,12 @@ impl Few {
         any &= packet.active;
         let mut last = NONE;
         wide.store(plate, &mut last);
+        // As in `settle`.
+        let mut asked = packet.active;
+        for lane in ones(any) {
+            let met = self.exact[self.number(last.0[lane % MOST])].primitive;
+            asked &= !(u32::from(packet.is_left_out(lane, met)) << lane);
+        }
         for doubt in doubts.of() {
             let number = usize::from(doubt.plate);
             let Exact { normal, corner, primitive, .. } = self.exact[number];
@@ -453,6 +505,6 @@ impl Few {
                 any |= u32::from(inside || self.passes(geometry, packet, lane, number)) << lane;
             }
         }
-        (any, last)
+        (any, asked)
     }
 }

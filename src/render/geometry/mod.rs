@@ -13,6 +13,7 @@ mod coordinates;
 mod crowd;
 mod disk;
 mod few;
+mod hits;
 mod instance;
 mod lanes;
 mod node;

@@ -3,11 +3,11 @@
 //! Only usual rays are part of it; others, of odd lengths or without end in numbers, are left to
 //! those who ask one by one.
 
-use super::plate::{Beam, REACH};
+use super::plate::{AXES, Beam, REACH};
 use super::ray::{LEAST, MODERATE, Ray};
 use super::shapes::Primitive;
 use super::walk::WIDEN;
-use super::wide::{MOST, Row, Wide};
+use super::wide::{MOST, Numbers, Row, Wide};
 
 /// Directions of other lengths, squared, are no part of a packet.
 const UNIT_LENGTH: [f32; 2] = [0.9, 1.1];
@@ -20,7 +20,7 @@ pub(super) struct Packet {
     /// Where the rays end; -1 for those that are no part of it.
     pub end: Row,
     /// What each ray is not to meet, by number: two triangles, or none.
-    left_out: [[u32; MOST]; 2],
+    pub left_out: [Numbers; 2],
     /// A bit for each ray that is a part of it.
     pub active: u32,
 }
@@ -29,24 +29,24 @@ pub(super) const NONE: Row = Row([0.0; MOST]);
 
 impl Packet {
     pub const EMPTY: Self = Self {
-        beam: Beam { origin: [NONE; 3], direction: [NONE; 3], reach: NONE },
+        beam: Beam { origin: [NONE; AXES], direction: [NONE; AXES], reach: NONE },
         inverse: [NONE; 3],
         end: NONE,
-        left_out: [[0; MOST]; 2],
+        left_out: [Numbers([0; MOST]); 2],
         active: 0,
     };
 
     /// Takes rays in place of those it had; no more than the width.
     #[inline(always)]
     pub fn fill<W: Wide>(&mut self, rays: &[Ray]) {
-        let Beam { origin: [ox, oy, oz], direction: [dx, dy, dz], reach } = &mut self.beam;
+        let Beam { origin: [ox, oy, oz, _], direction: [dx, dy, dz, _], reach } = &mut self.beam;
         for (lane, ray) in rays.iter().enumerate() {
             let lane = lane % MOST;
             (ox.0[lane], oy.0[lane], oz.0[lane]) = ray.origin.into();
             (dx.0[lane], dy.0[lane], dz.0[lane]) = ray.direction.into();
             self.end.0[lane] = ray.t_max;
-            self.left_out[0][lane] = ray.leaves.bits();
-            self.left_out[1][lane] = ray.reaches.bits();
+            self.left_out[0].0[lane] = ray.leaves.bits();
+            self.left_out[1].0[lane] = ray.reaches.bits();
         }
         for lane in rays.len()..W::WIDTH {
             self.end.0[lane] = -1.0;
@@ -74,7 +74,7 @@ impl Packet {
 
     /// A bit for each ray that meets a box before its limit.
     #[inline(always)]
-    pub fn enters<W: Wide>(&self, wide: W, planes: &[[f32; 2]; 3], limit: W::Numbers) -> u32 {
+    pub fn enters<W: Wide>(&self, wide: W, planes: &[[f32; 2]; 3], limit: W::Values) -> u32 {
         let mut near = wide.splat(0.0);
         let mut far = limit;
         for (axis, [lower, upper]) in planes.iter().enumerate() {
@@ -94,8 +94,8 @@ impl Packet {
     #[inline(always)]
     pub fn parameters<W: Wide>(&self, normal: [f64; 3], corner: [f64; 3]) -> Row {
         let mut all = NONE;
-        let [ox, oy, oz] = &self.beam.origin;
-        let [dx, dy, dz] = &self.beam.direction;
+        let [ox, oy, oz, _] = &self.beam.origin;
+        let [dx, dy, dz, _] = &self.beam.direction;
         for lane in 0..W::WIDTH {
             let origin = [ox.0[lane], oy.0[lane], oz.0[lane]];
             let direction = [dx.0[lane], dy.0[lane], dz.0[lane]];
@@ -107,7 +107,7 @@ impl Packet {
     /// A bit for each ray that is not to meet a primitive.
     #[inline(always)]
     pub fn leaves_out<W: Wide>(&self, primitive: Primitive) -> u32 {
-        let [leaves, reaches] = &self.left_out;
+        let [Numbers(leaves), Numbers(reaches)] = &self.left_out;
         let mut bits = 0;
         for lane in 0..W::WIDTH {
             let one = (leaves[lane] == primitive.bits()) | (reaches[lane] == primitive.bits());
@@ -116,9 +116,14 @@ impl Packet {
         bits
     }
 
+    /// Whether a ray is not to meet a primitive.
+    pub fn is_left_out(&self, lane: usize, primitive: Primitive) -> bool {
+        self.left_out.iter().any(|numbers| numbers.0[lane % MOST] == primitive.bits())
+    }
+
     /// A ray of it, without end.
     pub fn ray(&self, lane: usize) -> Ray {
-        let at = |rows: &[Row; 3]| [rows[0].0[lane], rows[1].0[lane], rows[2].0[lane]].into();
+        let at = |rows: &[Row; AXES]| [rows[0].0[lane], rows[1].0[lane], rows[2].0[lane]].into();
         Ray::new(at(&self.beam.origin), at(&self.beam.direction))
     }
 }

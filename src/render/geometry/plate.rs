@@ -16,6 +16,7 @@
 
 use glam::DVec3;
 
+use super::shapes::Primitive;
 use super::triangle::Face;
 use super::wide::{Row, Wide};
 
@@ -45,12 +46,17 @@ pub(super) struct Plate {
     height_error: f32,
     /// 3c, and the error of a weight beside 3c·e.
     weight_error: [f32; 2],
+    /// The number of the triangle.
+    pub primitive: u32,
 }
+
+/// Rows for coordinates: one more than there are, so that any number of two bits names one.
+pub(super) const AXES: usize = 4;
 
 /// Rays side by side: what the test wants of them.
 pub(super) struct Beam {
-    pub origin: [Row; 3],
-    pub direction: [Row; 3],
+    pub origin: [Row; AXES],
+    pub direction: [Row; AXES],
     /// u·32 times the greatest coordinate of the origin, without its sign.
     pub reach: Row,
 }
@@ -61,8 +67,8 @@ pub(super) const REACH: f32 = 32.0 * UNIT;
 /// What f32 knows of where rays meet a triangle.
 pub(super) struct Known<W: Wide> {
     /// Bounds of the parameter where the ray meets the plane.
-    pub low: W::Numbers,
-    pub high: W::Numbers,
+    pub low: W::Values,
+    pub high: W::Values,
     /// Where the ray certainly passes outside of the edges.
     pub outside: W::Mask,
     /// Where it certainly passes inside of them.
@@ -71,7 +77,7 @@ pub(super) struct Known<W: Wide> {
 
 impl Plate {
     /// Of corners in world units, and [`Face::exact_normal`] of them.
-    pub fn new(face: &Face, normal: DVec3) -> Self {
+    pub fn new(face: &Face, normal: DVec3, primitive: Primitive) -> Self {
         let size = normal.abs();
         let z = if size.y > size.x { 1 } else { 0 };
         let z = if size.z > size[z] { 2 } else { z };
@@ -100,6 +106,7 @@ impl Plate {
             plane: [nx as f32, ny as f32, k as f32],
             weights: [second.map(|w| w as f32), third.map(|w| w as f32)],
             height_error: sure(12.0 * unit * k.abs() + far + LEAST),
+            primitive: primitive.bits(),
             weight_error: [sure(3.0 * factor), sure(8.0 * unit * start + factor * far)],
         }
     }
@@ -108,7 +115,7 @@ impl Plate {
     #[inline(always)]
     pub fn meet<W: Wide>(&self, wide: W, beam: &Beam) -> Known<W> {
         let [x, y, z] = self.axes;
-        let (x, y, z) = (usize::from(x % 3), usize::from(y % 3), usize::from(z % 3));
+        let (x, y, z) = (usize::from(x) % AXES, usize::from(y) % AXES, usize::from(z) % AXES);
         let (ox, oy, oz) =
             (wide.load(&beam.origin[x]), wide.load(&beam.origin[y]), wide.load(&beam.origin[z]));
         let (dx, dy, dz) = (
@@ -155,6 +162,7 @@ mod tests {
     use crate::render::geometry::lanes::Portable;
     use crate::render::geometry::packet::Packet;
     use crate::render::geometry::ray::Ray;
+    use crate::render::geometry::shapes::Kind;
     use crate::render::geometry::tests::meshes::Chance;
 
     /// Weights of all corners and the parameter, in f64.
@@ -181,8 +189,9 @@ mod tests {
             let c = a.lerp(b, 0.5) + chance.cube() * size * thin;
             let corners = [a, b, c].map(|p| p.as_vec3());
             let [a, b, c] = corners.map(|p| p.as_dvec3());
+            let primitive = Primitive::new(Kind::Triangle, 0);
             let face = Face { corners: corners.map(|p| p.to_array()) };
-            let plate = Plate::new(&face, face.exact_normal().into());
+            let plate = Plate::new(&face, face.exact_normal().into(), primitive);
             let rays: [Ray; 4] = std::array::from_fn(|_| {
                 let off = 10_f64.powf(-6.0 * chance.unit());
                 let (v, w) = (chance.unit(), off * chance.signed());

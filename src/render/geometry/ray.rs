@@ -194,8 +194,7 @@ impl Probe {
     pub fn new(ray: &Ray, moderate: bool) -> Option<Self> {
         let (near_origin, near_direction) = (Vec3A::from(ray.origin), Vec3A::from(ray.direction));
         let (place, size) = (near_origin.abs(), near_direction.abs());
-        let (z, most) = if size.y > size.x { (Axis::Y, size.y) } else { (Axis::X, size.x) };
-        let (z, most) = if size.z > most { (Axis::Z, size.z) } else { (z, most) };
+        let (z, most) = depth(size);
         let usual = place.cmplt(Vec3A::splat(MODERATE)) & size.cmplt(Vec3A::INFINITY);
         let extreme = !(moderate && usual.all());
         if extreme && !(near_origin.is_finite() && near_direction.is_finite()) || most < LEAST {
@@ -258,6 +257,13 @@ pub(super) enum Axis {
     X,
     Y,
     Z,
+}
+
+/// The axis along which a direction of these magnitudes is longest, and how long.
+#[inline(always)]
+pub(super) fn depth(size: Vec3A) -> (Axis, f32) {
+    let (z, most) = if size.y > size.x { (Axis::Y, size.y) } else { (Axis::X, size.x) };
+    if size.z > most { (Axis::Z, size.z) } else { (z, most) }
 }
 
 /// The axis after each one.

@@ -53,6 +53,12 @@ pub(super) fn near<L: Lanes>(lanes: L, exact: L::Exact, magnitude: L::Exact) -> 
     (lanes.exact_round(exact).into(), Vec3::new(next(x), next(y), next(z)))
 }
 
+/// The bound of the error of a coordinate that is rounded to f32, as [`position`] has it.
+#[inline(always)]
+pub(super) fn error_of(exact: f64, magnitude: f64) -> f32 {
+    next((exact.abs() * UNIT_32 + magnitude * (STEPS * UNIT_64)) as f32)
+}
+
 /// The next f32 above one that is not negative.
 #[inline(always)]
 fn next(x: f32) -> f32 {

@@ -5,6 +5,7 @@
 
 use super::ask::Walker;
 use super::few::{MeetAll, OccludedAll};
+use super::hits::HitAll;
 #[cfg(target_arch = "x86_64")]
 use super::wide::Avx512;
 use super::wide::{Job, Wide};
@@ -28,9 +29,8 @@ impl Geometry {
     pub fn hit_all(&self, rays: &[Ray], met: &[Option<Meeting>], hits: &mut [Option<Hit>]) {
         assert_eq!(rays.len(), met.len());
         assert_eq!(rays.len(), hits.len());
-        for ((ray, met), hit) in rays.iter().zip(met).zip(hits) {
-            *hit = met.as_ref().map(|meeting| self.hit(ray, meeting));
-        }
+        let geometry = self;
+        self.apart(HitAll { geometry, rays, met, hits });
     }
 
     /// [`Self::occluded`] of each ray. Panics unless there are as many places as rays.

@@ -129,7 +129,7 @@ impl Face {
 }
 
 /// The mean of the corners' normals, on the side of the geometric one.
-fn shading_normal(ng: [f64; 3], [a, b, c]: [DVec3; 3], [u, v, w]: [f64; 3]) -> Vec3 {
+pub(super) fn shading_normal(ng: [f64; 3], [a, b, c]: [DVec3; 3], [u, v, w]: [f64; 3]) -> Vec3 {
     let ng = DVec3::from_array(ng);
     let n = (u * a + v * b + w * c).normalize_or_zero();
     match ng.dot(n) {

@@ -15,6 +15,11 @@ pub(super) const MOST: usize = 16;
 #[repr(align(64))]
 pub(super) struct Row(pub [f32; MOST]);
 
+/// The same of whole numbers.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(super) struct Numbers(pub [u32; MOST]);
+
 /// Something to do by a processor's instructions; to be inlined.
 pub(super) trait Job {
     fn run<W: Wide>(self, wide: W);
@@ -24,35 +29,37 @@ pub(super) trait Job {
 pub(super) trait Wide: Copy {
     /// Rays side by side.
     const WIDTH: usize;
-    type Numbers: Copy;
+    type Values: Copy;
     type Mask: Copy;
 
-    fn splat(self, value: f32) -> Self::Numbers;
+    fn splat(self, value: f32) -> Self::Values;
     /// The first [`Self::WIDTH`] of a row.
-    fn load(self, row: &Row) -> Self::Numbers;
-    fn store(self, a: Self::Numbers, row: &mut Row);
-    fn add(self, a: Self::Numbers, b: Self::Numbers) -> Self::Numbers;
-    fn sub(self, a: Self::Numbers, b: Self::Numbers) -> Self::Numbers;
-    fn mul(self, a: Self::Numbers, b: Self::Numbers) -> Self::Numbers;
-    fn div(self, a: Self::Numbers, b: Self::Numbers) -> Self::Numbers;
+    fn load(self, row: &Row) -> Self::Values;
+    fn store(self, a: Self::Values, row: &mut Row);
+    fn add(self, a: Self::Values, b: Self::Values) -> Self::Values;
+    fn sub(self, a: Self::Values, b: Self::Values) -> Self::Values;
+    fn mul(self, a: Self::Values, b: Self::Values) -> Self::Values;
+    fn div(self, a: Self::Values, b: Self::Values) -> Self::Values;
     /// a·b + c, rounded once or twice.
-    fn mul_add(self, a: Self::Numbers, b: Self::Numbers, c: Self::Numbers) -> Self::Numbers;
+    fn mul_add(self, a: Self::Values, b: Self::Values, c: Self::Values) -> Self::Values;
     /// c − a·b, rounded once or twice.
-    fn sub_mul(self, a: Self::Numbers, b: Self::Numbers, c: Self::Numbers) -> Self::Numbers;
+    fn sub_mul(self, a: Self::Values, b: Self::Values, c: Self::Values) -> Self::Values;
     /// The lesser; where one is no number, `b`.
-    fn min(self, a: Self::Numbers, b: Self::Numbers) -> Self::Numbers;
+    fn min(self, a: Self::Values, b: Self::Values) -> Self::Values;
     /// The greater; where one is no number, `b`.
-    fn max(self, a: Self::Numbers, b: Self::Numbers) -> Self::Numbers;
-    fn abs(self, a: Self::Numbers) -> Self::Numbers;
+    fn max(self, a: Self::Values, b: Self::Values) -> Self::Values;
+    fn abs(self, a: Self::Values) -> Self::Values;
 
     /// Where a < b; nowhere where one is no number.
-    fn less(self, a: Self::Numbers, b: Self::Numbers) -> Self::Mask;
+    fn less(self, a: Self::Values, b: Self::Values) -> Self::Mask;
+    /// Where a number is this one.
+    fn same(self, numbers: &Numbers, number: u32) -> Self::Mask;
     fn and(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
     fn or(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
     /// A bit for each ray.
     fn bits(self, mask: Self::Mask) -> u32;
     /// `a` where the mask is set, elsewhere `b`.
-    fn select(self, mask: Self::Mask, a: Self::Numbers, b: Self::Numbers) -> Self::Numbers;
+    fn select(self, mask: Self::Mask, a: Self::Values, b: Self::Values) -> Self::Values;
 
     /// Does something in a function of its own, compiled for these instructions.
     fn apart<J: Job>(self, job: J);
@@ -60,7 +67,7 @@ pub(super) trait Wide: Copy {
 
 impl Wide for Portable {
     const WIDTH: usize = 4;
-    type Numbers = Vec4;
+    type Values = Vec4;
     type Mask = BVec4A;
 
     #[inline(always)]
@@ -129,6 +136,11 @@ impl Wide for Portable {
     }
 
     #[inline(always)]
+    fn same(self, Numbers([a, b, c, d, ..]): &Numbers, number: u32) -> BVec4A {
+        BVec4A::new(*a == number, *b == number, *c == number, *d == number)
+    }
+
+    #[inline(always)]
     fn and(self, a: BVec4A, b: BVec4A) -> BVec4A {
         a & b
     }
@@ -161,7 +173,7 @@ pub(super) use x86::Avx512;
 mod x86 {
     use std::arch::x86_64::*;
 
-    use super::{Job, MOST, Row, Wide};
+    use super::{Job, MOST, Numbers, Row, Wide};
     use crate::render::geometry::lanes::Avx2;
 
     /// Runs an instruction.
@@ -181,7 +193,7 @@ mod x86 {
 
     impl Wide for Avx2 {
         const WIDTH: usize = 8;
-        type Numbers = __m256;
+        type Values = __m256;
         type Mask = __m256;
 
         #[inline(always)]
@@ -250,6 +262,13 @@ mod x86 {
         }
 
         #[inline(always)]
+        fn same(self, numbers: &Numbers, number: u32) -> __m256 {
+            let all = run!(_mm256_load_si256(numbers.0.as_ptr().cast()));
+            let same = run!(_mm256_cmpeq_epi32(all, _mm256_set1_epi32(number as i32)));
+            run!(_mm256_castsi256_ps(same))
+        }
+
+        #[inline(always)]
         fn and(self, a: __m256, b: __m256) -> __m256 {
             run!(_mm256_and_ps(a, b))
         }
@@ -299,7 +318,7 @@ mod x86 {
 
     impl Wide for Avx512 {
         const WIDTH: usize = MOST;
-        type Numbers = __m512;
+        type Values = __m512;
         type Mask = __mmask16;
 
         #[inline(always)]
@@ -365,6 +384,12 @@ mod x86 {
         #[inline(always)]
         fn less(self, a: __m512, b: __m512) -> __mmask16 {
             run!(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b))
+        }
+
+        #[inline(always)]
+        fn same(self, numbers: &Numbers, number: u32) -> __mmask16 {
+            let all = run!(_mm512_load_si512(numbers.0.as_ptr().cast()));
+            run!(_mm512_cmpeq_epi32_mask(all, _mm512_set1_epi32(number as i32)))
         }
 
         #[inline(always)]
