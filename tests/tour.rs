@@ -111,7 +111,7 @@ fn the_errors_it_states_are_about_those_of_its_pictures() {
         stated.push((name.to_string(), if name.ends_with("_4") { 4 } else { 64 }, percents(rest)));
     }
     assert_eq!(stated.len(), 4);
-    let end = page.split("stopped   by error, after 256 rays a pixel\n").nth(1).unwrap();
+    let end = page.split("stopped   by error, after 256 samples a pixel\n").nth(1).unwrap();
     let end = end.lines().next().unwrap();
     stated.push(("until".to_string(), 256, percents(&end.replacen("95 %", "", 1))));
     let shots = shots::open("scenes/tour/lamp.scn");

@@ -7,7 +7,7 @@ use crate::diag::{self, CODES, near};
 
 pub fn run(options: &Explain) -> End {
     let Some(name) = &options.code else {
-        terminal::say(&all());
+        terminal::say(&all(|_| true));
         return End::Well;
     };
     // As a report shows it, `error[family/what]`, is as good as the code alone.
@@ -19,16 +19,12 @@ pub fn run(options: &Explain) -> End {
             End::Well
         }
         None => {
-            let family: Vec<_> = CODES
-                .iter()
-                .map(|code| code.name)
-                .filter(|code| code.split('/').next() == Some(bare.trim_end_matches('/')))
-                .collect();
-            let mut nearest = near(bare, CODES.iter().map(|code| code.name));
+            let family = all(|name| name.split('/').next() == Some(bare.trim_end_matches('/')));
             if !family.is_empty() {
-                nearest = family;
+                terminal::say(&family);
+                return End::Well;
             }
-            let hint = match nearest.as_slice() {
+            let hint = match near(bare, CODES.iter().map(|code| code.name)).as_slice() {
                 [] => "`scn explain` lists all of them".to_string(),
                 codes => {
                     format!(
@@ -43,12 +39,13 @@ pub fn run(options: &Explain) -> End {
     }
 }
 
-/// Every code with its title.
-fn all() -> String {
-    let width = CODES.iter().map(|code| code.name.len()).max().unwrap_or(0);
+/// Every such code with its title; nothing, if none is.
+fn all(such: impl Fn(&str) -> bool) -> String {
+    let codes = || CODES.iter().filter(|code| such(code.name));
+    let Some(width) = codes().map(|code| code.name.len()).max() else { return String::new() };
     let mut text = String::from("Faults. `scn explain CODE` shows the page of one.\n");
     let mut family = "";
-    for code in CODES {
+    for code in codes() {
         let this = code.name.split('/').next().unwrap_or("");
         if this != family {
             text.push('\n');

@@ -30,9 +30,9 @@ pub fn of(samples: Option<u64>, time: Option<f64>, error: Option<f64>, stop: &St
     }
 }
 
-/// The limits in words: `16 rays a pixel or 60 s or an error of 1 %`.
+/// The limits in words: `16 samples a pixel or 60 s or an error of 1 %`.
 pub fn told(rule: &Rule) -> String {
-    let samples = rule.samples.map(|samples| format!("{} a pixel", counted(samples, "ray")));
+    let samples = rule.samples.map(|samples| format!("{} a pixel", counted(samples, "sample")));
     let time = rule.time.map(duration);
     let error = rule.error.map(|error| format!("an error of {}", percent(error)));
     let all: Vec<String> = [samples, time, error].into_iter().flatten().collect();
@@ -86,6 +86,6 @@ mod tests {
     fn limits_are_told_in_one_breath() {
         let rule =
             Rule { samples: Some(1024), time: Some(60.0), error: Some(0.01), adaptive: false };
-        assert_eq!(told(&rule), "1,024 rays a pixel or 60 s or an error of 1 %");
+        assert_eq!(told(&rule), "1,024 samples a pixel or 60 s or an error of 1 %");
     }
 }

@@ -224,7 +224,7 @@ mod tests {
             assert!(page.contains(part), "{part} is not in\n{page}");
         }
         let page = word_page("fov_y", &[], Look::PLAIN).unwrap();
-        assert!(page.contains("above 0, below 180 deg"), "{page}");
+        assert!(page.contains("1e-9 deg or more, below 180 deg"), "{page}");
         let page = word_page("center", &[], Look::PLAIN).unwrap();
         assert!(page.contains("integrator direct.area_lights"), "{page}");
         assert!(page.contains("object sphere.center"), "{page}");

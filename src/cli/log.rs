@@ -175,14 +175,14 @@ fn human(event: &Event) -> String {
             seconds,
             ..
         } => {
+            let shape = if *triangles > 0 { "other shape" } else { "shape" };
             let counts = [
                 (*triangles, "triangle"),
-                (*other_shapes, "other shape"),
+                (*other_shapes, shape),
                 (*materials, "material"),
                 (*lights, "light"),
-                (*slivers, "triangle dropped for want of area"),
             ];
-            let scene: Vec<String> = counts
+            let mut scene: Vec<String> = counts
                 .into_iter()
                 .filter(|(count, word)| *count > 0 || *word == "light")
                 .map(|(count, word)| match count {
@@ -190,6 +190,9 @@ fn human(event: &Event) -> String {
                     _ => counted(count, word),
                 })
                 .collect();
+            if *slivers > 0 {
+                scene.push(format!("{} dropped for want of area", counted(*slivers, "triangle")));
+            }
             let built = format!("in {}, {}", duration(*seconds), size(*bytes));
             format!("\n{render}\n") + &line("scene", &scene.join(", ")) + &line("built", &built)
         }
@@ -230,7 +233,7 @@ fn human(event: &Event) -> String {
             if limits::several(limits) && *stopped_by != "interruption"
                 || ["time", "error"].contains(stopped_by)
             {
-                let mut reached = counted(*samples, "ray");
+                let mut reached = counted(*samples, "sample");
                 if *mean_samples < 0.999 * *samples as f64 {
                     reached = format!("{mean_samples:.0} on average and at most {reached}");
                 }
@@ -249,7 +252,7 @@ fn human(event: &Event) -> String {
             &match samples {
                 0 => format!("nothing: there is no {file}, so it begins anew"),
                 _ => {
-                    let done = counted(*samples, "ray");
+                    let done = counted(*samples, "sample");
                     format!("{file}, {done} a pixel in {}", duration(*seconds))
                 }
             },
@@ -257,8 +260,8 @@ fn human(event: &Event) -> String {
         Event::Checkpoint { file, ended: true, .. } => line("kept", file),
         Event::Checkpoint { .. } => String::new(),
         Event::Merged { render, parts, samples } => {
-            let (parts, rays) = (counted(*parts as u64, "part"), counted(*samples, "ray"));
-            format!("{render}\n") + &line("merged", &format!("{parts}, {rays} a pixel"))
+            let (parts, samples) = (counted(*parts as u64, "part"), counted(*samples, "sample"));
+            format!("{render}\n") + &line("merged", &format!("{parts}, {samples} a pixel"))
         }
         Event::Bias { told, .. } => line("bias", &told.line()),
         // Told on stderr.
@@ -368,7 +371,7 @@ mod tests {
              \na\n  \
                scene     99,785 triangles, 1 material, no lights\n  \
                built     in 0.10 s, 12.0 MB\n  \
-               picture   512 × 512, 16 rays a pixel\n  \
+               picture   512 × 512, 16 samples a pixel\n  \
                rendered  in 2 s: 4,194,304 rays and 1,000 shadow rays, 2.1 million rays a second\n  \
                memory    40.0 MB at most\n  \
                error     2.34 %, with 95 % confidence 2 % to 3.1 %\n  \

@@ -23,6 +23,7 @@ mod ranges;
 mod report;
 mod resolve;
 mod scan;
+mod sets;
 mod shelves;
 mod spectra;
 mod unused;
@@ -34,7 +35,7 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::diag::{Diagnostic, FileId, Sources, Span};
+use crate::diag::{Diagnostic, FileId, Sources};
 use crate::scene::schema::Kind;
 use crate::scene::{At, KINDS, Scene, elsewhere};
 
@@ -42,7 +43,7 @@ pub use comments::comments;
 use data_file::DataFiles;
 use difference::Composer;
 pub use errors::with_article;
-use eval::{Evaluator, FileFacts};
+use eval::Evaluator;
 use resolve::{Plan, TOP};
 
 /// Where the texts of scene files come from.
@@ -91,7 +92,7 @@ pub fn compile(
     let mut ev = Evaluator::default();
     let units = import::gather(path, text, library, sources, &mut ev);
     let main = units[0].id;
-    let sets = read_sets(sets, main, path, &mut ev, units[0].tree.unit, sources);
+    let sets = sets::read(sets, main, path, &mut ev, units[0].tree.unit, sources);
     ev.data = DataFiles::new(library, sources);
     let mut plan = resolve::plan(&ev, &units);
     implicit_render(&mut plan, path, &units[0].tree.items, &units[0].tree.broken_words);
@@ -110,44 +111,6 @@ pub fn compile(
         _ => None,
     });
     Compiled { renders, setups: setups.collect(), diagnostics: reports.finish(), outline }
-}
-
-/// The arguments of `--set`, each a source of its own.
-fn read_sets(
-    sets: &[String],
-    main: FileId,
-    path: &Path,
-    ev: &mut Evaluator,
-    unit: Option<f64>,
-    sources: &mut Sources,
-) -> Vec<ast::Set> {
-    let mut all = Vec::new();
-    for text in sets {
-        let id = sources.add("--set", text.as_str());
-        let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
-        ev.add_file(
-            id,
-            FileFacts {
-                folder,
-                text: text.as_str().into(),
-                unit,
-                first_line: Some(Span::new(main, 0, 0)),
-            },
-        );
-        let quoted = |at: usize| text[..at].matches('"').count() % 2 == 1;
-        let equals = text.match_indices('=').map(|(at, _)| at).find(|at| !quoted(*at));
-        let Some(equals) = equals else {
-            let whole = Span::new(id, 0, text.len());
-            ev.reports.tell(errors::syntax::set_argument(whole));
-            continue;
-        };
-        let mut said = text.clone();
-        said.replace_range(equals..=equals, ":");
-        let parsed = parse::set(&said, id);
-        ev.reports.tell_text(id, parsed.faults);
-        all.extend(parsed.tree);
-    }
-    all
 }
 
 /// A file without `render` is one render called like the file, unless all it does is to define

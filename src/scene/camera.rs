@@ -4,6 +4,14 @@ use super::schema::Range;
 use super::vocabulary::vocabulary;
 use super::{Angle, Direction, Number, Point};
 
+/// Fields of view.
+const FIELD_OF_VIEW: Range =
+    Range::at_least(1e-9_f64.to_radians()).below(std::f64::consts::PI).because(
+        "In a narrower view the rays of neighbouring pixels begin to be one, even in double \
+         precision; 180 deg are all that is before the eye.",
+        "",
+    );
+
 vocabulary! {
     /// Where the picture is taken from.
     pub enum Camera: "camera" {
@@ -19,7 +27,7 @@ vocabulary! {
             /// Distance from the centre, in radii of the bounding sphere.
             distance: Number = "1.75", Range::above(0.0);
             /// Vertical field of view, from edge to edge.
-            fov_y: Angle = "53.13010235415598 deg", Range::inside(0.0, std::f64::consts::PI);
+            fov_y: Angle = "53.13010235415598 deg", FIELD_OF_VIEW;
         }
         /// A pinhole: everything is sharp.
         "perspective" => Perspective {
@@ -30,7 +38,7 @@ vocabulary! {
             /// The direction that is up in the picture.
             up: Direction = "y";
             /// Vertical field of view, from edge to edge.
-            fov_y: Angle, Range::inside(0.0, std::f64::consts::PI);
+            fov_y: Angle, FIELD_OF_VIEW;
         }
     }
 }

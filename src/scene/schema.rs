@@ -112,6 +112,11 @@ impl Range {
         Self { high: Bound::Inclusive(high), ..self }
     }
 
+    /// The same, and less than `high`.
+    pub const fn below(self, high: f64) -> Self {
+        Self { high: Bound::Exclusive(high), ..self }
+    }
+
     /// From `low` to `high`, both allowed.
     pub const fn between(low: f64, high: f64) -> Self {
         Self::of(Bound::Inclusive(low), Bound::Inclusive(high))

@@ -250,7 +250,7 @@ fn a_checkpoint_lies_beside_each_picture() {
     // One render has a checkpoint, the other one begins anew, and says so.
     std::fs::remove_file(bench.path(kept[1])).unwrap();
     let run = bench.run("render ball.scn --resume --samples 9").well();
-    assert!(run.stdout.contains("left.checkpoint, 4 rays a pixel in"), "{}", run.stdout);
+    assert!(run.stdout.contains("left.checkpoint, 4 samples a pixel in"), "{}", run.stdout);
     assert!(run.stdout.contains("there is no out/ball/right.checkpoint, so it begins anew"));
     assert!(kept.iter().all(|name| bench.files().contains(&name.to_string())));
     let run = bench.run("render ball.scn --resume --samples 8").ends(2);

@@ -78,8 +78,8 @@ fn people_read_what_was_done() {
     for words in [
         "ball.scn: 1 render, loaded in",
         "left\n",
-        "2 other shapes, 1 material, 2 lights",
-        "8 × 8, 4 rays a pixel",
+        "2 shapes, 1 material, 2 lights",
+        "8 × 8, 4 samples a pixel",
         "256 rays",
         "wrote     out/ball/left.exr",
         "1 picture in",

@@ -51,7 +51,7 @@ fn a_folder_gets_both_pictures_and_the_log_tells_the_same() {
     assert_eq!(pixels("one/left.png"), pixels(names[1]));
     let run = bench.run(&format!("merge {parts} -o human.exr")).well();
     for words in
-        ["left\n  merged    3 parts, 300 rays a pixel", "error     ", "wrote     human.exr"]
+        ["left\n  merged    3 parts, 300 samples a pixel", "error     ", "wrote     human.exr"]
     {
         assert!(run.stdout.contains(words), "{words:?} is not in:\n{}", run.stdout);
     }
@@ -162,7 +162,7 @@ fn a_shard_needs_to_know_its_samples() {
     run("--shard 4/3").ends(2).says("there is no shard 4 of 3");
     assert_eq!(bench.files(), ["ball.scn"]);
     bench.put("ball.scn", BALL.replace("samples: 4", "samples: 4, time: 1 h"));
-    run("--shard 1/1").ends(2).says("4 rays a pixel or 60 min 0 s");
+    run("--shard 1/1").ends(2).says("4 samples a pixel or 60 min 0 s");
     run("--shard 1/1 --samples 4").well();
 }
 
@@ -178,7 +178,7 @@ fn a_shard_can_be_kept_and_gone_on_with() {
     assert!(bench.files().contains(&name.to_string()));
     std::fs::remove_file(bench.path("left.2-of-2.part")).unwrap();
     let told = run("--shard 2/2 --resume").stdout;
-    assert!(told.contains("resumed   ./left.2-of-2.checkpoint, 208 rays a pixel in"), "{told}");
+    assert!(told.contains("resumed   ./left.2-of-2.checkpoint, 208 samples a pixel in"), "{told}");
     bench.run("merge left.2-of-2.part left.1-of-2.part -o a.exr").well();
     bench.run("render ball.scn --only left -o b.exr --samples 400").well();
     assert_same(bench.path("a.exr"), bench.path("b.exr"));

@@ -1,6 +1,7 @@
 //! What should be known beside the figures: files that tell different things of themselves, and
 //! comparisons that mean less than they seem to.
 
+use super::report::brief;
 use super::{Comparison, input::Input};
 use crate::cli::words::NAMES;
 use crate::diag::harmless_text;
@@ -95,8 +96,10 @@ pub fn notes(comparison: &Comparison) -> Vec<String> {
         let other = |own: &f64| !(1.0 / OTHER_EPSILON..=OTHER_EPSILON).contains(&(own / used));
         if let Some(own) = input.epsilon().filter(other) {
             notes.push(format!(
-                "the error that {a} states has ε = {own:.3e}, and relmse here {used}: they are \
-                 different figures. --epsilon own takes the one of the file."
+                "the error that {a} states has ε = {}, and relmse here {}: they are \
+                 different figures. --epsilon own takes the one of the file.",
+                brief(own),
+                brief(used)
             ));
         }
         if input.radiance != reference.radiance {
@@ -118,9 +121,37 @@ pub fn harmless(text: &str) -> String {
 /// A value fit for a table.
 pub fn short(value: &str) -> String {
     let value = harmless(value);
+    // Numbers are told as exactly as they are read: `1.2345678901234567e-2,0e0`.
+    let numbers: Option<Vec<f64>> = value.split(',').map(|part| part.parse().ok()).collect();
+    let value = match numbers {
+        Some(numbers) if value.contains(['.', 'e']) => {
+            numbers.into_iter().map(brief).collect::<Vec<_>>().join(" ")
+        }
+        _ => value,
+    };
     if value.chars().count() <= LONGEST_VALUE {
         return value;
     }
     let start: String = value.chars().take(LONGEST_VALUE - 1).collect();
     format!("{start}…")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_as_long_as_people_read_them() {
+        for (value, text) in [
+            ("5.8541391208401954e-2", "0.05854"),
+            ("0e0,1.109491687627513e-1", "0 0.1109"),
+            ("208", "208"),
+            ("a,b.c", "a,b.c"),
+            ("3e5c0d01c82f5ab8c1e2aa00", "3e5c0d01c82f5ab8c1e2aa00"),
+            ("1e5", "100000"),
+            ("0123456789012345678901234", "01234567890123456789012…"),
+        ] {
+            assert_eq!(short(value), text);
+        }
+    }
 }

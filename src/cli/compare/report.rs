@@ -59,7 +59,7 @@ fn table(comparison: &Comparison) -> String {
 
 /// What has to be known to read the table.
 fn legend(comparison: &Comparison) -> Vec<String> {
-    let mut lines = vec![format!("ε of relmse is {}.", comparison.settings.epsilon)];
+    let mut lines = vec![format!("ε of relmse is {}.", brief(comparison.settings.epsilon))];
     let first = &comparison.tests[0].metrics;
     let trimmed = first.errors.trimmed_pixels;
     lines.push(match trimmed {
@@ -70,10 +70,15 @@ fn legend(comparison: &Comparison) -> Vec<String> {
     let density = comparison.settings.pixels_per_degree;
     lines.push(format!("FLIP is for a display seen at {density:.1} pixels a degree."));
     if let Some(exposures) = first.exposures() {
-        lines.push(format!(
-            "flip_hdr looks at {} exposures, from {:+.1} to {:+.1} stops.",
-            exposures.count, exposures.start, exposures.stop
-        ));
+        let [start, stop] = [exposures.start, exposures.stop].map(|ev| format!("{ev:+.1} stops"));
+        lines.push(match start == stop {
+            true => format!("flip_hdr looks at an exposure of {start}."),
+            false => format!(
+                "flip_hdr looks at {} exposures, from {} to {stop}.",
+                exposures.count,
+                start.trim_end_matches(" stops")
+            ),
+        });
     }
     for metric in METRICS {
         if (metric.value)(first).is_none() {
@@ -138,6 +143,17 @@ pub fn figure(value: f64) -> String {
     }
 }
 
+/// A setting of four digits at most: "0.01", "1.235e-7".
+pub fn brief(value: f64) -> String {
+    let figure = figure(value);
+    let (digits, power) = figure.split_once('e').unwrap_or((&figure, ""));
+    let digits = match digits.contains('.') {
+        true => digits.trim_end_matches('0').trim_end_matches('.'),
+        false => digits,
+    };
+    if power.is_empty() { digits.to_string() } else { format!("{digits}e{power}") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -157,6 +173,15 @@ mod tests {
             (2.5e9, "2.500e9"),
         ] {
             assert_eq!(figure(value), text);
+        }
+    }
+
+    #[test]
+    fn settings_have_four_digits_at_most() {
+        for (value, text) in
+            [(0.01, "0.01"), (2.000_567_9, "2.001"), (0.0, "0"), (5e-7, "5e-7"), (300.0, "300")]
+        {
+            assert_eq!(brief(value), text);
         }
     }
 

@@ -248,7 +248,7 @@ mod tests {
     fn fields_tell_type_range_and_default() {
         let page = page();
         for row in [
-            "| `fov_y` | [angle](#units) | above 0, below 180 deg | must be given | Vertical",
+            "| `fov_y` | [angle](#units) | 1e-9 deg or more, below 180 deg | must be given | Vertical",
             "| `material` | the name of a [material](#material), or a material itself |  | may be",
             "[reflectance](#reflectance): number, colour or spectrum | 0 or more |",
             "| `nm` | length | 1e-9 m |",

@@ -2,6 +2,7 @@
 
 use super::{FIELD_MARGIN, block, flow, strong};
 use crate::diag::print::Look;
+use crate::diag::words::grouped;
 use crate::lang::with_article;
 use crate::math::units::Dimension;
 use crate::scene::schema::{Bound, Field, Range, Type};
@@ -87,9 +88,12 @@ pub fn bare(dimension: Dimension) -> String {
 
 /// The bounds of a field, if it has any.
 pub fn range(field: &Field) -> Option<String> {
-    let angle = matches!(field.ty, Type::Number(Dimension::ANGLE));
-    let number = |x: f64| {
-        if angle && x != 0.0 { format!("{} deg", x.to_degrees()) } else { x.to_string() }
+    let number = |x: f64| match field.ty {
+        Type::Number(_) if x == 0.0 => "0".to_string(),
+        Type::Number(Dimension::ANGLE) => format!("{} deg", rounded(x.to_degrees())),
+        Type::Number(Dimension::TIME) => format!("{} h", rounded(x / 3600.0)),
+        _ if x.fract() == 0.0 && (1e4..1e15).contains(&x) => grouped(x as u64),
+        _ => x.to_string(),
     };
     let Range { low, high, .. } = match field.ty {
         Type::Spectrum(of) | Type::Textured { of, .. } if field.range == Range::ANY => of.range(),
@@ -110,6 +114,12 @@ pub fn range(field: &Field) -> Option<String> {
     };
     let parts: Vec<_> = low.into_iter().chain(high).collect();
     (!parts.is_empty()).then(|| parts.join(", "))
+}
+
+/// Without the digits that a change of unit makes.
+fn rounded(x: f64) -> String {
+    let x: f64 = format!("{x:.12e}").parse().unwrap_or(x);
+    if x.abs() < 1e-4 { format!("{x:e}") } else { x.to_string() }
 }
 
 /// A default as a person would write it: no empty braces after a word, no more than six digits.

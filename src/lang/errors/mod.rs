@@ -7,6 +7,7 @@ pub mod name;
 pub mod paths;
 pub mod quantities;
 pub mod render;
+pub mod sets;
 pub mod spectrum;
 pub mod syntax;
 pub mod types;

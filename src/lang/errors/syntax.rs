@@ -326,13 +326,6 @@ pub fn misplaced(what: &str, place: &str, help: &str, span: Span) -> Diagnostic 
         .help(help)
 }
 
-/// An argument of `--set` without `=`.
-pub fn set_argument(span: Span) -> Diagnostic {
-    Diagnostic::error(Code::SYNTAX_UNEXPECTED, "this is no `path=value`")
-        .label(span, "expected a path, `=` and a value")
-        .help("write for example `--set 'film.exposure=1 ev'`")
-}
-
 /// The beginning of a text, on one line.
 pub fn clipped(text: &str) -> String {
     let line = text.lines().next().unwrap_or("").trim_end();
