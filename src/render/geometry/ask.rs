@@ -155,14 +155,14 @@ impl Walker {
 
 #[inline(always)]
 fn closest<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> Option<Hit> {
-    let probe = Probe::new(ray, geometry.tree.moderate)?;
+    let probe = Probe::new(lanes, ray, geometry.tree.moderate)?;
     let meeting = best(lanes, geometry, ray, &probe).meeting()?;
     Some(geometry.hit_of(lanes, &probe, &meeting))
 }
 
 #[inline(always)]
 fn meet<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> Option<Meeting> {
-    let probe = Probe::new(ray, geometry.tree.moderate)?;
+    let probe = Probe::new(lanes, ray, geometry.tree.moderate)?;
     let mut best = best(lanes, geometry, ray, &probe);
     best.settle(lanes, &geometry.tree.blocks, &probe);
     best.meeting()
@@ -178,13 +178,13 @@ fn best<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray, probe: &Probe) -> Be
 
 #[inline(always)]
 fn hit<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray, meeting: &Meeting) -> Hit {
-    let probe = Probe::new(ray, geometry.tree.moderate).expect("a ray that met something");
+    let probe = Probe::new(lanes, ray, geometry.tree.moderate).expect("a ray that met something");
     geometry.hit_of(lanes, &probe, meeting)
 }
 
 #[inline(always)]
 fn occluded<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> bool {
-    let Some(probe) = Probe::new(ray, geometry.tree.moderate) else { return false };
+    let Some(probe) = Probe::new(lanes, ray, geometry.tree.moderate) else { return false };
     let mut best = Best::before(ray.t_max);
     geometry.meet_planes(&probe, &mut best);
     best.primitive.is_some()

@@ -114,7 +114,7 @@ impl Best {
     pub fn settle<L: Lanes>(&mut self, lanes: L, blocks: &[Block], probe: &Probe) {
         if self.least < self.t {
             let face = blocks[self.place / LANES].face(self.place % LANES);
-            self.t = face.meet(lanes, probe, true).unwrap_or(self.t);
+            self.t = face.parameter(lanes, probe);
             self.least = self.t;
         }
     }

@@ -94,8 +94,7 @@ impl Tree {
             let all = order[leaf.range()].iter();
             let bounds = all.fold(Bounds::EMPTY, |sum, p| sum.union(padded(shapes, *p)));
             let (node, lane) = leaf.place;
-            nodes[node].set(lane, bounds);
-            nodes[node].children[lane] = Child::block(number);
+            nodes[node].set_block(lane, bounds, number);
         }
         enclose(&mut nodes);
         tree.nodes = pages::roomy(nodes.len());

@@ -64,7 +64,7 @@ impl Crowd {
         shapes: &Shapes,
         other: Option<Meeting>,
     ) -> Option<Meeting> {
-        let Some(probe) = Probe::new(ray, true) else { return other };
+        let Some(probe) = Probe::new(lanes, ray, true) else { return other };
         let rank = other.as_ref().map_or(0, |meeting| match meeting.primitive.kind() {
             Kind::Triangle => u64::from(shapes.owner(meeting.primitive).object) << 32,
             _ => u64::MAX,
@@ -117,15 +117,15 @@ impl Crowd {
     /// Whether the ray meets any instance.
     #[inline(always)]
     pub fn occluded<L: Lanes>(&self, lanes: L, ray: &Ray) -> bool {
-        let Some(probe) = Probe::new(ray, true) else { return false };
+        let Some(probe) = Probe::new(lanes, ray, true) else { return false };
         let first = First { t: ray.t_max, rank: 0, met: None };
         self.meet::<L, true>(lanes, &probe, first).met.is_some()
     }
 
     #[inline(always)]
     fn meet<L: Lanes, const ANY: bool>(&self, lanes: L, probe: &Probe, first: First) -> First {
-        let slabs = Slabs::new(probe);
-        let mut outside = Outside::<ANY> { crowd: self, probe, slabs, first };
+        let slabs = Slabs::new(lanes, probe);
+        let mut outside = Outside::<L, ANY> { crowd: self, probe, slabs, first };
         descend::<L, ANY, _>(lanes, &self.nodes, &mut outside);
         outside.first
     }
@@ -141,16 +141,16 @@ struct First {
 }
 
 /// A ray among instances.
-struct Outside<'a, const ANY: bool> {
+struct Outside<'a, L: Lanes, const ANY: bool> {
     crowd: &'a Crowd,
     probe: &'a Probe,
-    slabs: Slabs,
+    slabs: Slabs<L>,
     first: First,
 }
 
-impl<L: Lanes, const ANY: bool> Ends<L> for Outside<'_, ANY> {
+impl<L: Lanes, const ANY: bool> Ends<L> for Outside<'_, L, ANY> {
     #[inline(always)]
-    fn slabs(&self) -> &Slabs {
+    fn slabs(&self) -> &Slabs<L> {
         &self.slabs
     }
 
@@ -160,7 +160,7 @@ impl<L: Lanes, const ANY: bool> Ends<L> for Outside<'_, ANY> {
     }
 
     #[inline(always)]
-    fn block(&mut self, _: L, _: usize) -> bool {
+    fn block(&mut self, _: L, _: usize, _: f32) -> bool {
         false
     }
 
@@ -169,9 +169,9 @@ impl<L: Lanes, const ANY: bool> Ends<L> for Outside<'_, ANY> {
         let number = primitive.index();
         let standing = &self.crowd.all[number];
         let template = &self.crowd.templates[standing.template as usize];
-        let Some(inner) = Inner::new(standing, self.probe) else { return false };
-        let mut inside = Inside::<ANY> {
-            slabs: Slabs::within(&inner.probe, inner.off),
+        let Some(inner) = Inner::new(lanes, standing, self.probe) else { return false };
+        let mut inside = Inside::<L, ANY> {
+            slabs: Slabs::within(lanes, &inner.probe, inner.off),
             number: number as u32,
             standing,
             template,
@@ -209,7 +209,7 @@ const ORIGIN_ERROR: f64 = 64.0 * f64::EPSILON;
 impl Inner {
     /// None: it passes the template.
     #[inline(always)]
-    fn new(standing: &Standing, probe: &Probe) -> Option<Self> {
+    fn new<L: Lanes>(lanes: L, standing: &Standing, probe: &Probe) -> Option<Self> {
         let origin = standing.back * (probe.origin() - standing.origin);
         let direction = standing.back * probe.direction();
         let pace = direction.length();
@@ -229,7 +229,7 @@ impl Inner {
         let off = corners + Vec3A::splat((RAY_ERROR * around) as f32);
         let corners_off = corners.max_element();
         Some(Self {
-            probe: Probe::rounded(origin, direction)?,
+            probe: Probe::rounded(lanes, origin, direction)?,
             start: begin / pace,
             pace,
             off,
@@ -250,21 +250,21 @@ impl Inner {
 const LEAST_LIMIT: f32 = 1.0 / (1 << 20) as f32;
 
 /// A ray among the triangles of a template.
-struct Inside<'a, const ANY: bool> {
+struct Inside<'a, L: Lanes, const ANY: bool> {
     number: u32,
     standing: &'a Standing,
     template: &'a Template,
     inner: Inner,
     limit: f32,
-    slabs: Slabs,
+    slabs: Slabs<L>,
     /// The ray in the world.
     probe: &'a Probe,
     first: &'a mut First,
 }
 
-impl<L: Lanes, const ANY: bool> Ends<L> for Inside<'_, ANY> {
+impl<L: Lanes, const ANY: bool> Ends<L> for Inside<'_, L, ANY> {
     #[inline(always)]
-    fn slabs(&self) -> &Slabs {
+    fn slabs(&self) -> &Slabs<L> {
         &self.slabs
     }
 
@@ -274,21 +274,28 @@ impl<L: Lanes, const ANY: bool> Ends<L> for Inside<'_, ANY> {
     }
 
     #[inline(always)]
-    fn block(&mut self, lanes: L, number: usize) -> bool {
+    fn block(&mut self, lanes: L, number: usize, span: f32) -> bool {
         let block: &Block = &self.template.blocks[number];
-        let off = Some(self.inner.corners_off);
-        let candidates = block.candidates_within(lanes, &self.inner.probe, off);
-        let mut possible = candidates.possible;
-        if possible == 0 {
-            return false;
+        let probe = &self.inner.probe;
+        let (mut possible, mut inside, mut between) = (block.all(), 0, None);
+        if !probe.extreme {
+            let seen = block.seen_within(lanes, probe, span, Some(self.inner.corners_off));
+            possible = seen.possible;
+            if possible == 0 {
+                return false;
+            }
+            let bounded = seen.bounded(lanes, probe);
+            let [least, most] = bounded.between;
+            (inside, between) = (bounded.inside, Some([lanes.store(least), lanes.store(most)]));
         }
-        let least = lanes.store(candidates.between[0]);
-        let most = lanes.store(candidates.between[1]);
         while possible != 0 {
             let lane = (possible.trailing_zeros() as usize) % LANES;
             possible &= possible - 1;
-            let inside = candidates.inside & (1 << lane) != 0;
-            if inside && (most[lane] < 0.0 || least[lane] > self.limit) {
+            let inside = inside & (1 << lane) != 0;
+            if inside
+                && let Some([least, most]) = &between
+                && (most[lane] < 0.0 || least[lane] > self.limit)
+            {
                 continue;
             }
             let triangle = block.primitive(lane).index() as u32;

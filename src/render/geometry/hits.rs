@@ -87,7 +87,7 @@ impl Faces {
     #[inline(always)]
     fn take(&mut self, geometry: &Geometry, lane: usize, ray: &Ray, place: usize) {
         let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
-        let first = (super::ray::depth(ray.direction.abs().into()).0 as usize + 1) % 3;
+        let first = super::ray::Turn::of(ray.direction.abs().into()).axes()[0];
         self.turns[lane] = first as u8;
         let corners = geometry.tree.blocks[place / LANES].face(place % LANES).corners;
         for k in 0..3 {

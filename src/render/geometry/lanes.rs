@@ -5,7 +5,9 @@
 //! not. Answers come from the exact ones, in f64. So every processor gives the same, to the bit.
 
 use glam::swizzles::Vec3Swizzles;
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DVec3, Vec3, Vec3A, Vec4};
+
+use super::ray::Turn;
 
 /// Numbers in a vector: children a node, triangles a block.
 pub(super) const LANES: usize = 8;
@@ -51,6 +53,9 @@ pub(super) trait Lanes: Copy {
     fn abs(self, a: Self::Eight) -> Self::Eight;
     /// A bit for each lane where a ≤ b.
     fn at_most(self, a: Self::Eight, b: Self::Eight) -> u32;
+
+    /// Coordinates in another order.
+    fn turned(self, a: Vec3A, turn: &Turn) -> Vec3A;
 
     /// A bit for each number that is one of two.
     fn either(self, numbers: &[u32; LANES], two: [u32; 2]) -> u32;
@@ -195,6 +200,13 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
+    fn turned(self, a: Vec3A, turn: &Turn) -> Vec3A {
+        let [x, y, z] = turn.axes();
+        let a = a.to_array();
+        Vec3A::new(a[x], a[y], a[z])
+    }
+
+    #[inline(always)]
     fn either(self, numbers: &[u32; LANES], [a, b]: [u32; 2]) -> u32 {
         let bit = |(lane, number): (usize, &u32)| u32::from(*number == a || *number == b) << lane;
         numbers.iter().enumerate().map(bit).sum()
@@ -291,7 +303,9 @@ pub(super) use avx2::Avx2;
 mod avx2 {
     use std::arch::x86_64::*;
 
-    use super::{LANES, Lanes, Task};
+    use glam::Vec3A;
+
+    use super::{LANES, Lanes, Task, Turn};
 
     /// On x86-64 with AVX2 and FMA.
     #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -409,6 +423,12 @@ mod avx2 {
         #[inline(always)]
         fn at_most(self, a: __m256, b: __m256) -> u32 {
             run!(_mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b))) as u32
+        }
+
+        #[inline(always)]
+        fn turned(self, a: Vec3A, turn: &Turn) -> Vec3A {
+            let order = run!(_mm_loadu_si128(turn.order().as_ptr().cast()));
+            run!(_mm_permutevar_ps(a.into(), order)).into()
         }
 
         #[inline(always)]

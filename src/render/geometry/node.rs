@@ -2,6 +2,7 @@
 
 use super::Bounds;
 use super::lanes::LANES;
+use super::ray::Axis;
 use super::shapes::{Kind, Primitive};
 
 /// What a node's lane leads to: two bits of kind, thirty of number. Spheres and disks stand for
@@ -52,12 +53,32 @@ impl Child {
     }
 }
 
-/// Eight boxes and what they hold.
-#[repr(align(64))]
+/// Eight boxes and what they hold: four cache lines.
+#[repr(C, align(64))]
 pub(super) struct Node {
     /// Axis, then lower and upper planes; a lane a child. A lane without a child is never met.
     pub planes: [[[f32; LANES]; 2]; 3],
     pub children: [Child; LANES],
+    /// Of children that are blocks, a little more than the greatest extent of their boxes.
+    pub spans: [f32; LANES],
+}
+
+/// Which planes of a node: bytes from its beginning.
+#[derive(Clone, Copy)]
+pub(super) struct Side(usize);
+
+impl Side {
+    /// The lower or the upper planes across an axis.
+    pub fn of(axis: Axis, upper: bool) -> Self {
+        let vector = size_of::<[f32; LANES]>();
+        Self((axis as usize * 2 + usize::from(upper)) * vector)
+    }
+
+    /// Upper in place of lower, or the other way round.
+    #[inline(always)]
+    pub fn other(self) -> Self {
+        Self(self.0 ^ size_of::<[f32; LANES]>())
+    }
 }
 
 impl Node {
@@ -65,7 +86,22 @@ impl Node {
     pub const EMPTY: Self = Self {
         planes: [[[f32::INFINITY; LANES], [f32::NEG_INFINITY; LANES]]; 3],
         children: [Child::ROOT; LANES],
+        spans: [0.0; LANES],
     };
+
+    #[inline(always)]
+    pub fn side(&self, side: Side) -> &[f32; LANES] {
+        // SAFETY: the planes are what a node begins with, and a `Side` is one of the six.
+        unsafe { &*(&raw const self.planes).byte_add(side.0).cast() }
+    }
+
+    /// Puts a block of triangles with its box into a lane.
+    pub fn set_block(&mut self, lane: usize, bounds: Bounds, number: usize) {
+        const UP: f32 = 1.0 + 8.0 * f32::EPSILON;
+        self.set(lane, bounds);
+        self.children[lane] = Child::block(number);
+        self.spans[lane] = (bounds.max - bounds.min).max_element() * UP;
+    }
 
     /// Puts a box into a lane.
     pub fn set(&mut self, lane: usize, bounds: Bounds) {

@@ -1,7 +1,9 @@
 //! Rays, the points where they begin and end, and what is known where they meet a surface.
 
-use glam::{DVec2, DVec3, Vec2, Vec3, Vec3A};
+use glam::{DVec2, DVec3, Vec2, Vec3, Vec3A, Vec3Swizzles};
 
+use super::block::Across;
+use super::lanes::Lanes;
 use super::rounding::{above, gamma_32};
 use super::shapes::{Kind, Primitive};
 
@@ -170,13 +172,12 @@ pub(super) struct Probe {
     pub near_direction: Vec3A,
     /// See [`inverse`].
     pub inverse: Vec3A,
-    /// The last one is that along which the direction is longest, the depth of the triangles' test;
-    /// before it the two that follow it.
-    pub axes: [Axis; 3],
+    /// By it the direction is longest along the last axis, the depth of the triangles' test.
+    pub turn: &'static Turn,
     /// The origin along these axes.
-    pub turned: [f32; 3],
+    pub turned: Vec3A,
     /// Slope of the direction along the first two of them, as the depth grows; at most ±1.
-    pub shear: [f32; 2],
+    pub shear: Vec3A,
     /// The parameter per unit of depth.
     pub per_depth: f32,
     /// Triangles that are not met, by their numbers.
@@ -191,27 +192,26 @@ pub(super) const MODERATE: f32 = (1_u64 << 60) as f32;
 impl Probe {
     /// For a ray, if it is one, among shapes whose coordinates are below [`MODERATE`] or not.
     #[inline(always)]
-    pub fn new(ray: &Ray, moderate: bool) -> Option<Self> {
+    pub fn new<L: Lanes>(lanes: L, ray: &Ray, moderate: bool) -> Option<Self> {
         let (near_origin, near_direction) = (Vec3A::from(ray.origin), Vec3A::from(ray.direction));
         let (place, size) = (near_origin.abs(), near_direction.abs());
-        let (z, most) = depth(size);
         let usual = place.cmplt(Vec3A::splat(MODERATE)) & size.cmplt(Vec3A::INFINITY);
         let extreme = !(moderate && usual.all());
-        if extreme && !(near_origin.is_finite() && near_direction.is_finite()) || most < LEAST {
+        if extreme && !(near_origin.is_finite() && near_direction.is_finite())
+            || size.cmplt(Vec3A::splat(LEAST)).all()
+        {
             return None;
         }
-        let x = NEXT[z as usize];
-        let y = NEXT[x as usize];
-        let [o, d] = [near_origin.to_array(), near_direction.to_array()];
+        let turn = Turn::of(size);
         let inverse = inverse(near_direction);
-        let per_depth = inverse.to_array()[z as usize];
+        let per_depth = lanes.turned(inverse, turn).z;
         Some(Self {
             near_origin,
             near_direction,
             inverse,
-            axes: [x, y, z],
-            turned: [o[x as usize], o[y as usize], o[z as usize]],
-            shear: [d[x as usize] * per_depth, d[y as usize] * per_depth],
+            turn,
+            turned: lanes.turned(near_origin, turn),
+            shear: lanes.turned(near_direction, turn) * per_depth,
             per_depth,
             left_out: [ray.leaves.bits(), ray.reaches.bits()],
             extreme,
@@ -220,15 +220,14 @@ impl Probe {
 
     /// Of a ray that f32 only rounds, among moderate shapes.
     #[inline(always)]
-    pub fn rounded(origin: DVec3, direction: DVec3) -> Option<Self> {
-        Self::new(&Ray::new(origin.as_vec3(), direction.as_vec3()), true)
+    pub fn rounded<L: Lanes>(lanes: L, origin: DVec3, direction: DVec3) -> Option<Self> {
+        Self::new(lanes, &Ray::new(origin.as_vec3(), direction.as_vec3()), true)
     }
 
     /// The shear in f64.
     #[inline(always)]
     pub fn exact_shear(&self) -> [f64; 2] {
-        let [x, y, z] = self.axes;
-        let (x, y, z) = (x as usize, y as usize, z as usize);
+        let [x, y, z] = self.turn.axes();
         let d = self.near_direction.to_array();
         let depth = f64::from(d[z]);
         [f64::from(d[x]) / depth, f64::from(d[y]) / depth]
@@ -259,15 +258,48 @@ pub(super) enum Axis {
     Z,
 }
 
-/// The axis along which a direction of these magnitudes is longest, and how long.
-#[inline(always)]
-pub(super) fn depth(size: Vec3A) -> (Axis, f32) {
-    let (z, most) = if size.y > size.x { (Axis::Y, size.y) } else { (Axis::X, size.x) };
-    if size.z > most { (Axis::Z, size.z) } else { (z, most) }
+/// An order of the axes: the last is the one before, and then the next again.
+pub(super) struct Turn {
+    axes: [Axis; 3],
+    /// The same as numbers, and another.
+    order: [u32; 4],
+    /// Where a block has the corners' coordinates along them.
+    pub across: [Across; 3],
 }
 
-/// The axis after each one.
-static NEXT: [Axis; 3] = [Axis::Y, Axis::Z, Axis::X];
+impl Turn {
+    const fn new(axes: [Axis; 3]) -> Self {
+        let [x, y, z] = axes;
+        let across = [Across::of(x), Across::of(y), Across::of(z)];
+        Self { axes, order: [x as u32, y as u32, z as u32, 3], across }
+    }
+
+    /// That by which the last is the greatest.
+    #[inline(always)]
+    pub fn of(size: Vec3A) -> &'static Self {
+        static TURNS: [Turn; 8] = {
+            const X: Turn = Turn::new([Axis::Y, Axis::Z, Axis::X]);
+            const Y: Turn = Turn::new([Axis::Z, Axis::X, Axis::Y]);
+            const Z: Turn = Turn::new([Axis::X, Axis::Y, Axis::Z]);
+            [X, X, Y, X, Z, Z, Y, X]
+        };
+        // Which are no less than the next.
+        &TURNS[size.cmpge(size.yzx()).bitmask() as usize % 8]
+    }
+
+    /// Numbers of the axes.
+    #[inline(always)]
+    pub fn axes(&self) -> [usize; 3] {
+        let [x, y, z] = self.axes;
+        [x as usize, y as usize, z as usize]
+    }
+
+    /// Which number comes where, of four.
+    #[inline(always)]
+    pub fn order(&self) -> &[u32; 4] {
+        &self.order
+    }
+}
 
 /// 2⁻¹⁰⁰: less is no direction, and beside something greater it is as good as nothing.
 pub(super) const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
@@ -277,8 +309,7 @@ pub(super) const LEAST: f32 = 1.0 / (1_u128 << 100) as f32;
 #[inline(always)]
 fn inverse(direction: Vec3A) -> Vec3A {
     let size = direction.abs().max(Vec3A::splat(LEAST));
-    let size = Vec3A::select(direction.cmplt(Vec3A::ZERO), -size, size);
-    size.recip()
+    size.copysign(direction + Vec3A::ZERO).recip()
 }
 
 #[cfg(test)]

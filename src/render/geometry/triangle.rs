@@ -23,8 +23,7 @@ impl Face {
     /// zero, since rounding keeps order; zero counts as inside. So no gap is left between them.
     #[inline(always)]
     fn parts<L: Lanes>(&self, lanes: L, probe: &Probe) -> L::Exact {
-        let [x, y, z] = probe.axes;
-        let (x, y, z) = (x as usize, y as usize, z as usize);
+        let [x, y, z] = probe.turn.axes();
         let depth = self.across(lanes, probe, z);
         let x = self.across(lanes, probe, x);
         let y = self.across(lanes, probe, y);
@@ -59,9 +58,15 @@ impl Face {
         Portable.exact_store(self.normal(Portable))
     }
 
+    /// Where a ray meets the triangle that is known to meet it.
+    #[inline(always)]
+    pub fn parameter<L: Lanes>(&self, lanes: L, probe: &Probe) -> f32 {
+        self.in_plane(lanes, probe, self.normal(lanes)) as f32
+    }
+
     /// Where the ray meets the plane of the triangle.
     #[inline(always)]
-    fn parameter<L: Lanes>(&self, lanes: L, probe: &Probe, normal: L::Exact) -> f64 {
+    fn in_plane<L: Lanes>(&self, lanes: L, probe: &Probe, normal: L::Exact) -> f64 {
         let origin = lanes.exact(probe.near_origin.to_array());
         let direction = lanes.exact(probe.near_direction.to_array());
         let way = lanes.exact_sub(lanes.exact(self.corners[0]), origin);
@@ -83,7 +88,7 @@ impl Face {
                 return None;
             }
         }
-        let t = self.parameter(lanes, probe, self.normal(lanes));
+        let t = self.in_plane(lanes, probe, self.normal(lanes));
         (t > 0.0 && t < f64::INFINITY).then_some(t as f32)
     }
 
@@ -112,7 +117,7 @@ impl Face {
         let magnitude = lanes.exact_add(magnitude, lanes.exact_abs(c));
         let (position, error) = rounding::near(lanes, exact, magnitude);
         let normal = self.normal(lanes);
-        let t = self.parameter(lanes, probe, normal) as f32;
+        let t = self.in_plane(lanes, probe, normal) as f32;
         let length = lanes.exact_dot(normal, normal).sqrt();
         let ng = if length > 0.0 && length < f64::INFINITY {
             lanes.exact_scale(normal, 1.0 / length)

@@ -17,7 +17,7 @@ use super::{Geometry, Primitive, Ray, Sheet};
 
 /// The first meeting by asking every shape, without a tree.
 fn by_hand(geometry: &Geometry, ray: &Ray) -> Option<(f32, Primitive)> {
-    let probe = super::Probe::new(ray, true).unwrap();
+    let probe = super::Probe::new(super::lanes::Portable, ray, true).unwrap();
     let shapes = geometry.shapes();
     let meet = |p: Primitive| match p.kind() {
         super::Kind::Triangle => {
