@@ -14,7 +14,7 @@ use super::{Geometry, Hit, Ray};
 pub(super) enum Walker {
     Portable(Portable),
     #[cfg(target_arch = "x86_64")]
-    Avx2(super::lanes::Avx2),
+    Avx2(super::avx2::Avx2),
 }
 
 impl Walker {
@@ -24,7 +24,7 @@ impl Walker {
     /// The best that this processor has.
     pub fn found() -> Self {
         #[cfg(all(target_arch = "x86_64", not(feature = "portable")))]
-        if let Some(lanes) = super::lanes::Avx2::found() {
+        if let Some(lanes) = super::avx2::Avx2::found() {
             return Self::Avx2(lanes);
         }
         Self::PORTABLE
@@ -197,7 +197,7 @@ fn occluded<L: Lanes>(lanes: L, geometry: &Geometry, ray: &Ray) -> bool {
 mod avx2 {
     use glam::Vec3;
 
-    use crate::render::geometry::lanes::Avx2;
+    use crate::render::geometry::avx2::Avx2;
     use crate::render::geometry::{Geometry, Hit, Meeting, Ray, Sheet};
 
     macro_rules! compiled {

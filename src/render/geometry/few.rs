@@ -344,7 +344,7 @@ impl Few {
     fn passes(&self, geometry: &Geometry, packet: &Packet, lane: usize, number: usize) -> bool {
         let place = self.exact[number].place as usize;
         let face: Face = geometry.tree.blocks[place / LANES].face(place % LANES);
-        Probe::new(&packet.ray(lane), true)
+        Probe::new(Portable, &packet.ray(lane), true)
             .is_some_and(|probe| face.meet(Portable, &probe, false).is_some())
     }
 
@@ -427,7 +427,7 @@ impl Few {
 
     /// Tells of each round shape that a ray meets, and where.
     fn ask_round(&self, geometry: &Geometry, ray: &Ray, mut tell: impl FnMut(f32, Primitive)) {
-        let Some(probe) = Probe::new(ray, true) else { return };
+        let Some(probe) = Probe::new(Portable, ray, true) else { return };
         for primitive in &self.round {
             let (index, shapes) = (primitive.index(), &geometry.shapes);
             let t = match primitive.kind() {

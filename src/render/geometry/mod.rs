@@ -6,6 +6,8 @@
 //! (rounding.rs has the derivation).
 
 mod ask;
+#[cfg(target_arch = "x86_64")]
+mod avx2;
 mod best;
 mod block;
 mod build;

@@ -174,7 +174,7 @@ mod x86 {
     use std::arch::x86_64::*;
 
     use super::{Job, MOST, Numbers, Row, Wide};
-    use crate::render::geometry::lanes::Avx2;
+    use crate::render::geometry::avx2::Avx2;
 
     /// Runs an instruction.
     macro_rules! run {

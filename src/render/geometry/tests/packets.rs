@@ -16,7 +16,7 @@ fn by_each(mut job: impl FnMut(&dyn Fn(Question))) {
     job(&|question| question.ask(Portable));
     #[cfg(target_arch = "x86_64")]
     {
-        use crate::render::geometry::lanes::Avx2;
+        use crate::render::geometry::avx2::Avx2;
         use crate::render::geometry::wide::Avx512;
         if let Some(wide) = Avx2::found() {
             job(&|question| question.ask(wide));
