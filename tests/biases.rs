@@ -71,6 +71,25 @@ fn biases_are_found_where_they_are_and_nowhere_else() {
 }
 
 #[test]
+fn small_lights_by_way_of_mirrors_are_rare_and_no_bias() {
+    let path = || Integrator::Path(by_hand::path());
+    let lit_by = |radius: f64, mirror: &str| {
+        let hand = floor().integrator(path()).mirror("mirror", 1.0);
+        let mut hand = with_ball(hand, mirror);
+        hand.scene.lights.clear();
+        hand.sphere(dvec3(0.0, 0.0, 4.0), radius, "lamp")
+    };
+    let rare = |hand: Hand| kinds(&hand).contains(&Kind::RareCaustics);
+    // 2.5 m from the ball: π (√3 · 5 mm / 2.5 m)² are 3.8e-5 sr.
+    assert!(rare(lit_by(0.005, "mirror")));
+    assert!(!rare(lit_by(0.005, "grey")));
+    assert!(!rare(lit_by(0.1, "mirror")));
+    assert!(Kind::RareCaustics.is_noise() && !Kind::Caustics.is_noise());
+    let told = biases(&lit_by(0.005, "mirror").stage());
+    assert!(told[0].brief.contains("met by one path in 83,000"), "{}", told[0].brief);
+}
+
+#[test]
 fn the_page_lists_every_bias() {
     // Each word stands in one arm of `Kind::word`, or is told of what samples could not hold.
     let arms = include_str!("../src/plan/bias.rs").split("pub fn word(self)").nth(1).unwrap();

@@ -235,7 +235,10 @@ impl<'a> Matter<'a> {
                                 let inside = medium_name(&self.media, skin.inside);
                                 (surfaces.material(skin).name.as_str(), inside)
                             });
-                            errors::open(name, &objects, open.len(), at, wall)
+                            let of = surfaces.owner(surfaces.skin(open[0].face as usize));
+                            let scanned =
+                                objects.len() == 1 && matches!(of.body, Body::Mesh { .. });
+                            errors::open(name, &objects, open.len(), (at, scanned), wall)
                         }
                     }
                 }

@@ -51,8 +51,9 @@ fn normal([a, b, c]: [DVec3; 3]) -> Option<DVec3> {
 
 /// What a plane has in common with a triangle.
 struct Cut {
-    /// Where its rim is on the plane.
-    points: Vec<DVec3>,
+    /// Where its rim is on the plane, at so many places: each is a corner or between two of them.
+    points: [DVec3; 3],
+    count: usize,
     /// Whether corners lie above and below.
     on_both_sides: bool,
 }
@@ -64,25 +65,31 @@ impl Cut {
             let height = normal.dot(corner - point);
             if height.abs() <= touch { 0.0 } else { height }
         });
-        let mut points = Vec::with_capacity(3);
-        let mut on_both_sides = false;
+        let mut cut = Self { points: [DVec3::ZERO; 3], count: 0, on_both_sides: false };
         for i in 0..3 {
             let (j, high) = ((i + 1) % 3, heights[i]);
             if high == 0.0 {
-                points.push(corners[i]);
+                cut.add(corners[i]);
             }
             if high * heights[j] < 0.0 {
-                points.push(corners[i].lerp(corners[j], high / (high - heights[j])));
-                on_both_sides = true;
+                cut.add(corners[i].lerp(corners[j], high / (high - heights[j])));
+                cut.on_both_sides = true;
             }
         }
-        (!points.is_empty()).then_some(Self { points, on_both_sides })
+        (cut.count > 0).then_some(cut)
+    }
+
+    fn add(&mut self, place: DVec3) {
+        self.points[self.count] = place;
+        self.count += 1;
     }
 
     /// Its ends in a direction, each with how far along it is.
     fn ends(&self, along: DVec3) -> [(f64, DVec3); 2] {
-        let mut all: Vec<_> = self.points.iter().map(|p| (along.dot(*p), *p)).collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        [all[0], all[all.len() - 1]]
+        let first = (along.dot(self.points[0]), self.points[0]);
+        let rest = self.points[1..self.count].iter().map(|p| (along.dot(*p), *p));
+        rest.fold([first; 2], |[least, most], end| {
+            [if end.0 < least.0 { end } else { least }, if end.0 > most.0 { end } else { most }]
+        })
     }
 }

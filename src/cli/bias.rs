@@ -21,7 +21,8 @@ pub fn plan(stage: &Stage, force: Option<Force>) -> Plan {
 
 /// What `--unbiased` refuses.
 pub fn refused(stage: &Stage) -> Vec<Diagnostic> {
-    plan::biases(stage).iter().map(plan::errors::biased).collect()
+    let all = plan::biases(stage);
+    all.iter().filter(|bias| !bias.kind.is_noise()).map(plan::errors::biased).collect()
 }
 
 /// Something that makes a picture systematically wrong, for people and machines. What is not known

@@ -104,6 +104,7 @@ codes! {
     LINT_NOISY_FILTER = "lint/noisy-filter";
     LINT_NON_MANIFOLD = "lint/non-manifold";
     LINT_OUTSIDE_CONTRADICTED = "lint/outside-contradicted";
+    LINT_RARE_CAUSTICS = "lint/rare-caustics";
     LINT_SAME_AROUND = "lint/same-around";
     LINT_SAME_CAPTION = "lint/same-caption";
     LINT_SAME_MEDIUM = "lint/same-medium";

@@ -4,7 +4,7 @@
 
 use super::paths::Chosen;
 use super::survey::Survey;
-use super::{dispersion, spectra};
+use super::{dispersion, rare, spectra};
 use crate::diag::Span;
 use crate::load::Stage;
 use crate::scene::{self, AreaLights, At, Integrator, Switch};
@@ -26,6 +26,8 @@ pub enum Kind {
     NeverMet,
     /// Light that mirrors or glass send from lights without extent to surfaces is never found.
     Caustics,
+    /// Light that mirrors or glass send from small lights to surfaces is hardly ever found.
+    RareCaustics,
     /// Surfaces far away hide nothing of what surrounds the scene.
     AmbientDistance,
     /// Surfaces hide no light.
@@ -41,6 +43,11 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// Whether samples mend it after all: what is rare is noise, of which the error may not know.
+    pub fn is_noise(self) -> bool {
+        self == Self::RareCaustics
+    }
+
     /// The word that machines read.
     pub fn word(self) -> &'static str {
         match self {
@@ -51,6 +58,7 @@ impl Kind {
             Self::LightsOff => "lights_off",
             Self::NeverMet => "never_met",
             Self::Caustics => "caustics",
+            Self::RareCaustics => "rare_caustics",
             Self::AmbientDistance => "ambient_distance",
             Self::NoShadows => "no_shadows",
             Self::LampCentres => "lamp_centres",
@@ -97,6 +105,7 @@ pub fn biases(stage: &Stage) -> Vec<Bias> {
     all.extend(lights_off(&survey, integrator));
     all.extend(never_met(&survey, integrator));
     all.extend(caustics(&survey, integrator));
+    all.extend(rare::biases(stage, &survey, integrator));
     all.extend(near_ambient(&survey, integrator));
     all.extend(no_shadows(&survey, integrator));
     all.extend(lamp_centres(&survey, integrator));

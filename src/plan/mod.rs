@@ -12,6 +12,7 @@ mod features;
 mod instances;
 mod spectra;
 mod dispersion;
+mod rare;
 mod paths;
 mod bias;
 pub mod errors;

@@ -199,6 +199,7 @@ fn a_hole_is_told_and_a_crack_is_told_with_its_width_and_mended() {
     let folder = folder(&[("goblet.obj", &holed), ("cracked.obj", &cracked)]);
     let report = world_in(folder.path(), POURED).err().expect("it is open");
     assert!(report.contains("matter/open") && report.contains("3 edges"), "{report}");
+    assert!(report.contains("scanned models are often open below"), "{report}");
 
     let cracked = POURED.replace("goblet.obj", "cracked.obj");
     let report = world_in(folder.path(), &cracked).err().expect("it is cracked");
@@ -280,7 +281,9 @@ fn quads_of_six_objects_bound_one_body_and_five_do_not() {
     assert!(refused(&five, "open").contains("4 edges"));
     let turned =
         quads.replace("u: (0.2, 0, 0), v: (0, 0, -0.2)", "u: (0, 0, -0.2), v: (0.2, 0, 0)");
-    refused(&turned, "turned");
+    let report = refused(&turned, "turned");
+    assert!(report.contains("turn its faces outward, all of them"), "{report}");
+    assert!(!report.contains("swap"), "{report}");
     refused(
         "object d: disk { center: (0, 0, 0), normal: y, radius: 1 m, material: dielectric { inside: glass } }\n",
         "open",
@@ -482,4 +485,35 @@ fn a_drink_that_ends_where_its_glass_begins_looks_as_if_it_was_made_to_fit() {
     let apart = exact.pixels.iter().zip(&found.pixels);
     let apart = apart.filter(|(a, b)| (a.g - b.g).abs() > 1e-3 * a.g.abs()).count();
     assert!(apart > exact.pixels.len() / 50, "{apart}");
+}
+
+#[test]
+fn what_is_open_or_turned_names_the_material_that_is_to_be_changed() {
+    // The walls between glass and wine have the two the wrong way round.
+    let folder = folder(&[("goblet.obj", &lathe(TUMBLER, 24))]);
+    let swapped = POURED.replace("inside: wine, outside: glass", "inside: glass, outside: wine");
+    let words = |report: String| report.split_whitespace().collect::<Vec<_>>().join(" ");
+    let report = words(world_in(folder.path(), &swapped).err().expect("they look the other way"));
+    assert!(report.contains("matter/turned"), "{report}");
+    assert!(
+        report.contains("or swap `inside` and `outside` of `object goblet.materials.bowl`"),
+        "{report}"
+    );
+    // They say nothing of the glass that they touch.
+    let alone = POURED.replace("inside: wine, outside: glass", "inside: wine");
+    let report = words(world_in(folder.path(), &alone).err().expect("the glass is open"));
+    assert!(report.contains("is the wall that holds it, let that name both"), "{report}");
+    assert!(report.contains("`dielectric { inside: wine, outside: glass }`"), "{report}");
+}
+
+#[test]
+fn fog_is_refused_at_what_makes_it_one() {
+    let fog = "medium fog: homogeneous { ior: 1, scattering: 2 / m }
+        object room: sphere { center: (0, 0, 0), radius: 1 m, material: dielectric { inside: fog } }\n";
+    let report = refused(fog, "not-followed");
+    assert!(
+        report.contains("the medium `fog` scatters light, which is not rendered yet"),
+        "{report}"
+    );
+    assert!(report.contains("leave this field out, or set it to 0"), "{report}");
 }

@@ -19,12 +19,13 @@ pub fn disk(name: &At<String>) -> Diagnostic {
 }
 
 /// A surface around a medium that is open at `edges` edges, the first of them at a place. `wall`:
-/// a material at these edges that does not name the medium, and what is inside of it.
+/// a material at these edges that does not name the medium, and what is inside of it. `scanned`: all
+/// of it is one mesh.
 pub fn open(
     medium: &str,
     objects: &[&At<String>],
     edges: usize,
-    at: DVec3,
+    (at, scanned): (DVec3, bool),
     wall: Option<(&str, &str)>,
 ) -> Diagnostic {
     let headline = format!("the surface around `{medium}` is open");
@@ -38,9 +39,15 @@ pub fn open(
              {{ inside: {inside}, outside: {medium} }}`; else close its holes in the program that \
              made it"
         ),
+        None if scanned => format!(
+            "close its holes in the program that made it: scanned models are often open below, and \
+             `mend` joins cracks, no holes. Or take a closed model, or give this one a material \
+             that lets no light through. What closes it may be an object of its own, of \
+             `dielectric {{ inside: {medium} }}`"
+        ),
         None => format!(
-            "close its holes in the program that made it; or give what closes it the same medium, \
-             `dielectric {{ inside: {medium} }}`. A pane is a box with six sides"
+            "give what closes it the same medium, `dielectric {{ inside: {medium} }}`. A pane is a \
+             box with six sides"
         ),
     };
     labelled(Diagnostic::error(Code::MATTER_OPEN, headline), objects, label).why(CLOSED).help(help)

@@ -29,6 +29,7 @@ mod needless_yield;
 mod noisy_filter;
 mod non_manifold;
 mod outside_contradicted;
+mod rare_caustics;
 mod same_around;
 mod same_caption;
 mod same_medium;
@@ -83,6 +84,7 @@ pub(super) static RULES: &[Rule] = &[
     Rule { code: Code::LINT_NOISY_FILTER, look: Look::Render(noisy_filter::look) },
     Rule { code: Code::LINT_NON_MANIFOLD, look: Look::Render(non_manifold::look) },
     Rule { code: Code::LINT_OUTSIDE_CONTRADICTED, look: Look::Render(outside_contradicted::look) },
+    Rule { code: Code::LINT_RARE_CAUSTICS, look: Look::Render(rare_caustics::look) },
     Rule { code: Code::LINT_SAME_AROUND, look: Look::Render(same_around::look) },
     Rule { code: Code::LINT_SAME_CAPTION, look: Look::Renders(same_caption::look) },
     Rule { code: Code::LINT_SAME_MEDIUM, look: Look::Render(same_medium::look) },
