@@ -1,7 +1,8 @@
 //! How many rays a second one thread traces against the bunny standing in a box without its front:
 //! rays of a camera, cosine-distributed rays from where they end, and shadow rays from there to a
 //! lamp; by the processor's best instructions and by plain ones. And how long the tree takes. And 64
-//! bunnies in rows, as instances and as copies.
+//! bunnies in rows, as instances and as copies. And streams of 64 rays of each kind, against the bunny
+//! and against two blocks in a box with a lamp, beside single rays.
 //!
 //! `cargo bench --bench rays`
 
@@ -35,7 +36,10 @@ struct Scene {
     shadow: Vec<Ray>,
 }
 
-static SCENE: LazyLock<Scene> = LazyLock::new(|| {
+static SCENE: LazyLock<Scene> = LazyLock::new(|| of(shapes));
+static BLOCKS: LazyLock<Scene> = LazyLock::new(|| of(blocks));
+
+fn of(shapes: fn() -> Shapes) -> Scene {
     let geometry = PORTABLE.map(|portable| Geometry::build(shapes()).with_portable(portable));
     let primary: Vec<Ray> = (0..SIDE * SIDE).map(camera).collect();
     let hits: Vec<(Ray, Hit)> =
@@ -43,7 +47,7 @@ static SCENE: LazyLock<Scene> = LazyLock::new(|| {
     let diffuse = (0..).zip(&hits).map(bounce).collect();
     let shadow = (0..).zip(&hits).map(to_lamp).collect();
     Scene { geometry, primary, diffuse, shadow }
-});
+}
 
 #[divan::bench]
 fn build(bencher: Bencher) {
@@ -76,6 +80,92 @@ fn meet(bencher: Bencher, geometry: &Geometry, rays: &[Ray]) {
     bencher.counter(ItemsCount::new(rays.len())).bench_local(|| {
         rays.iter().filter(|ray| black_box(geometry.closest(black_box(ray))).is_some()).count()
     });
+}
+
+/// Two blocks in a box with a lamp: 34 triangles.
+fn blocks() -> Shapes {
+    let mut shapes = Shapes::new();
+    let owner = Owner::default();
+    let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| HALF * axis);
+    for (at, u, v) in [(-x, y, z), (x, z, y), (-y, z, x), (y, x, z), (-z, x, y)] {
+        let corners = [-u - v, u - v, u + v, v - u].map(|side| shapes.vertex(at + side));
+        shapes.quad(corners, owner);
+    }
+    let lamp = [(-0.2, -0.2), (0.2, -0.2), (0.2, 0.2), (-0.2, 0.2)];
+    let lamp = lamp.map(|(x, z)| shapes.vertex(Vec3::new(x, HALF - 0.01, z)));
+    shapes.quad(lamp, owner);
+    for (place, turn, height) in
+        [(Vec3::new(-0.25, 0.0, -0.2), 0.3, 0.8), (Vec3::new(0.25, 0.0, 0.2), -0.3, 0.4)]
+    {
+        let corner = |side: usize, top: bool| {
+            let (sin, cos) = (turn + side as f32 * std::f32::consts::FRAC_PI_2).sin_cos();
+            let up = if top { height - HALF } else { -HALF };
+            place + Vec3::new(0.28 * cos, up, 0.28 * sin)
+        };
+        let corners: Vec<u32> = [false, true]
+            .iter()
+            .flat_map(|top| (0..4).map(|side| corner(side, *top)).collect::<Vec<_>>())
+            .map(|p| shapes.vertex(p))
+            .collect();
+        let side = |i: usize| [i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4].map(|k| corners[k]);
+        for corners in [side(0), side(1), side(2), side(3), [4, 5, 6, 7].map(|k| corners[k])] {
+            shapes.quad(corners, owner);
+        }
+    }
+    shapes
+}
+
+/// Rays that are asked together.
+const STREAM: usize = 64;
+
+fn streamed(bencher: Bencher, geometry: &Geometry, rays: &[Ray]) {
+    let (mut met, mut hits) = (vec![None; STREAM], vec![None; STREAM]);
+    bencher.counter(ItemsCount::new(rays.len())).bench_local(|| {
+        for rays in rays.chunks(STREAM) {
+            let (met, hits) = (&mut met[..rays.len()], &mut hits[..rays.len()]);
+            geometry.meet_all(black_box(rays), met);
+            geometry.hit_all(rays, met, hits);
+            black_box(&hits);
+        }
+    });
+}
+
+const SCENES: [&str; 2] = ["blocks", "bunny"];
+
+#[divan::bench(args = SCENES)]
+fn stream_primary(bencher: Bencher, of: &str) {
+    let scene = scene(of);
+    streamed(bencher, &scene.geometry[0], &scene.primary);
+}
+
+#[divan::bench(args = SCENES)]
+fn stream_diffuse(bencher: Bencher, of: &str) {
+    let scene = scene(of);
+    streamed(bencher, &scene.geometry[0], &scene.diffuse);
+}
+
+#[divan::bench(args = SCENES)]
+fn stream_shadow(bencher: Bencher, of: &str) {
+    let scene = scene(of);
+    let (geometry, rays) = (&scene.geometry[0], &scene.shadow);
+    let mut occluded = vec![false; STREAM];
+    bencher.counter(ItemsCount::new(rays.len())).bench_local(|| {
+        for rays in rays.chunks(STREAM) {
+            let occluded = &mut occluded[..rays.len()];
+            geometry.occluded_all(black_box(rays), occluded);
+            black_box(&occluded);
+        }
+    });
+}
+
+#[divan::bench]
+fn blocks_diffuse(bencher: Bencher) {
+    let scene = scene("blocks");
+    meet(bencher, &scene.geometry[0], &scene.diffuse);
+}
+
+fn scene(of: &str) -> &'static Scene {
+    if of == "blocks" { &BLOCKS } else { &SCENE }
 }
 
 fn camera(i: u32) -> Ray {

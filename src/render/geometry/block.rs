@@ -117,6 +117,13 @@ impl Block {
         Face { corners: [corner(0), corner(1), corner(2)] }
     }
 
+    /// The corners of a lane's triangle along an axis.
+    #[inline(always)]
+    pub fn coordinates(&self, axis: usize, lane: usize) -> [f32; 3] {
+        let [a, b, c] = &self.corners[axis];
+        [a[lane], b[lane], c[lane]]
+    }
+
     /// A bit for each triangle.
     pub fn all(&self) -> u32 {
         let lane = |(lane, x): (usize, &f32)| u32::from(!x.is_nan()) << lane;

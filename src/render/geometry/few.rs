@@ -17,7 +17,7 @@ use super::ray::{Probe, Ray};
 use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
 use super::triangle::Face;
-use super::wide::{Job, MOST, Numbers, Row, Wide};
+use super::wide::{Job, MOST, Numbers, Row, Wide, ones};
 use super::{Geometry, disk, plane, sphere};
 
 /// More triangles than this are better met by way of the tree.
@@ -27,7 +27,7 @@ const MOST_TRIANGLES: usize = 128;
 const MOST_ROUND: usize = 4;
 
 /// A packet of fewer rays than this is not worth its while.
-const LONELY: usize = 3;
+const LONELY: usize = 4;
 
 /// No triangle.
 const NOTHING: u32 = u32::MAX;
@@ -192,7 +192,13 @@ impl Job for MeetAll<'_> {
         let Self { geometry, few, rays, met } = self;
         let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
         for (rays, met) in rays.chunks(W::WIDTH).zip(met.chunks_mut(W::WIDTH)) {
-            packet.fill::<W>(if rays.len() < LONELY { &[] } else { rays });
+            if rays.len() < LONELY {
+                for (ray, met) in rays.iter().zip(met) {
+                    *met = geometry.meet(ray);
+                }
+                continue;
+            }
+            packet.fill::<W>(rays);
             let found = few.first(wide, geometry, &packet, &mut doubts);
             // Two loops: an answer that comes from elsewhere would be copied by way of memory, and so
             // would all others.
@@ -225,7 +231,13 @@ impl Job for OccludedAll<'_> {
         let Self { geometry, few, rays, occluded } = self;
         let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
         for (rays, occluded) in rays.chunks(W::WIDTH).zip(occluded.chunks_mut(W::WIDTH)) {
-            packet.fill::<W>(if rays.len() < LONELY { &[] } else { rays });
+            if rays.len() < LONELY {
+                for (ray, occluded) in rays.iter().zip(occluded) {
+                    *occluded = geometry.occluded(ray);
+                }
+                continue;
+            }
+            packet.fill::<W>(rays);
             let (any, asked) = few.any(wide, geometry, &packet, &mut doubts);
             for (lane, occluded) in occluded.iter_mut().enumerate() {
                 *occluded = any & 1 << lane != 0;
@@ -240,13 +252,6 @@ impl Job for OccludedAll<'_> {
             }
         }
     }
-}
-
-/// The places of the bits that are set.
-fn ones(bits: u32) -> impl Iterator<Item = usize> {
-    let some = (bits != 0).then_some(bits);
-    std::iter::successors(some, move |bits| Some(bits & (bits - 1)).filter(|left| *left != 0))
-        .map(|bits| bits.trailing_zeros() as usize)
 }
 
 impl Few {

@@ -12,7 +12,7 @@ use super::lanes::LANES;
 use super::ray::{Hit, Ray, Sheet};
 use super::rounding;
 use super::triangle;
-use super::wide::{Job, MOST, Wide};
+use super::wide::{Job, MOST, Wide, ones};
 
 /// [`Geometry::hit_all`].
 pub(super) struct HitAll<'a> {
@@ -69,14 +69,21 @@ impl Job for HitAll<'_> {
                 }
             }
             surfaces.find::<W>(&faces);
-            for (lane, ((ray, meeting), hit)) in rays.iter().zip(met).zip(hits).enumerate() {
-                *hit = match meeting {
-                    None => None,
-                    Some(meeting) => Some(match meeting.place {
-                        Place::Tree(_) => surfaces.hit(geometry, lane % MOST, &faces, meeting),
-                        _ => geometry.hit(ray, meeting),
-                    }),
-                };
+            // Two loops: a hit that comes from elsewhere would be copied by way of memory, and so would
+            // all others.
+            let mut others = 0_u32;
+            for (lane, (meeting, hit)) in met.iter().zip(hits.iter_mut()).enumerate() {
+                if let Some(meeting) = meeting
+                    && let Place::Tree(_) = meeting.place
+                {
+                    *hit = Some(surfaces.hit(geometry, lane % MOST, &faces, meeting));
+                } else {
+                    *hit = None;
+                    others |= u32::from(meeting.is_some()) << lane;
+                }
+            }
+            for lane in ones(others) {
+                hits[lane] = met[lane].map(|meeting| geometry.hit(&rays[lane], &meeting));
             }
         }
     }
@@ -89,14 +96,15 @@ impl Faces {
         let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
         let first = super::ray::Turn::of(ray.direction.abs().into()).axes()[0];
         self.turns[lane] = first as u8;
-        let corners = geometry.tree.blocks[place / LANES].face(place % LANES).corners;
+        let block = &geometry.tree.blocks[place / LANES];
         for k in 0..3 {
             let axis = (first + k) % 3;
             self.origin[k][lane] = o[axis];
             self.direction[k][lane] = d[axis];
-            for (to, corner) in self.corners.iter_mut().zip(&corners) {
-                to[k][lane] = corner[axis];
-            }
+            let corners = block.coordinates(axis, place % LANES);
+            self.corners[0][k][lane] = corners[0];
+            self.corners[1][k][lane] = corners[1];
+            self.corners[2][k][lane] = corners[2];
         }
     }
 }

@@ -36,20 +36,19 @@ impl Packet {
         active: 0,
     };
 
-    /// Takes rays in place of those it had; no more than the width.
+    /// Takes rays in place of those it had; one at least, no more than the width.
     #[inline(always)]
     pub fn fill<W: Wide>(&mut self, rays: &[Ray]) {
+        let last = rays.len() - 1;
         let Beam { origin: [ox, oy, oz, _], direction: [dx, dy, dz, _], reach } = &mut self.beam;
-        for (lane, ray) in rays.iter().enumerate() {
-            let lane = lane % MOST;
+        let [Numbers(leaves), Numbers(reaches)] = &mut self.left_out;
+        for lane in 0..W::WIDTH {
+            let ray = &rays[lane.min(last)];
             (ox.0[lane], oy.0[lane], oz.0[lane]) = ray.origin.into();
             (dx.0[lane], dy.0[lane], dz.0[lane]) = ray.direction.into();
-            self.end.0[lane] = ray.t_max;
-            self.left_out[0].0[lane] = ray.leaves.bits();
-            self.left_out[1].0[lane] = ray.reaches.bits();
-        }
-        for lane in rays.len()..W::WIDTH {
-            self.end.0[lane] = -1.0;
+            self.end.0[lane] = if lane <= last { ray.t_max } else { -1.0 };
+            leaves[lane] = ray.leaves.bits();
+            reaches[lane] = ray.reaches.bits();
         }
         let [ix, iy, iz] = &mut self.inverse;
         let mut active = 0;

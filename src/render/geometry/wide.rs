@@ -65,6 +65,14 @@ pub(super) trait Wide: Copy {
     fn apart<J: Job>(self, job: J);
 }
 
+/// The places of the bits that are set.
+#[inline(always)]
+pub(super) fn ones(bits: u32) -> impl Iterator<Item = usize> {
+    let some = (bits != 0).then_some(bits);
+    std::iter::successors(some, move |bits| Some(bits & (bits - 1)).filter(|left| *left != 0))
+        .map(|bits| bits.trailing_zeros() as usize)
+}
+
 impl Wide for Portable {
     const WIDTH: usize = 4;
     type Values = Vec4;

@@ -33,19 +33,29 @@ unsafe extern "C" {
     ) -> *mut c_void;
     fn peer_closest(scene: *mut c_void, rays: *const Plain, count: usize, sum: *mut f64) -> usize;
     fn peer_occluded(scene: *mut c_void, rays: *const Plain, count: usize) -> usize;
+    fn peer_closest_8(scene: *mut c_void, rays: *const Plain, count: usize, sum: *mut f64)
+    -> usize;
+    fn peer_occluded_8(scene: *mut c_void, rays: *const Plain, count: usize) -> usize;
 }
 
 /// Who traces.
 enum Program<'a> {
     Scn(&'a Geometry),
+    /// By streams of [`STREAM`] rays.
+    ScnStreams(&'a Geometry),
     Embree(*mut c_void),
+    /// By packets of eight.
+    EmbreePackets(*mut c_void),
 }
 
+/// Rays that are asked together: as many as a wave of paths has.
+const STREAM: usize = 64;
+
 impl Program<'_> {
-    fn embree(triangles: &Triangles, robust: bool) -> Self {
+    fn build(triangles: &Triangles, robust: bool) -> *mut c_void {
         let (points, faces) = (&triangles.points, &triangles.faces);
         // SAFETY: both are read as so many triples, and copied.
-        Self::Embree(unsafe {
+        unsafe {
             peer_build(
                 points.as_ptr().cast(),
                 points.len(),
@@ -53,7 +63,7 @@ impl Program<'_> {
                 faces.len(),
                 i32::from(robust),
             )
-        })
+        }
     }
 
     /// How many of the rays meet something.
@@ -67,12 +77,40 @@ impl Program<'_> {
                 let met = set.rays.iter().filter_map(|ray| geometry.closest(ray));
                 met.inspect(|hit| sum += f64::from(hit.t + hit.ng.x)).count()
             }
+            Self::ScnStreams(geometry) if set.any => {
+                let mut occluded = [false; STREAM];
+                let count = |rays: &[Ray]| {
+                    let occluded = &mut occluded[..rays.len()];
+                    geometry.occluded_all(rays, occluded);
+                    occluded.iter().filter(|occluded| **occluded).count()
+                };
+                set.rays.chunks(STREAM).map(count).sum()
+            }
+            Self::ScnStreams(geometry) => {
+                let (mut met, mut hits) = ([None; STREAM], [None; STREAM]);
+                let mut count = 0;
+                for rays in set.rays.chunks(STREAM) {
+                    let (met, hits) = (&mut met[..rays.len()], &mut hits[..rays.len()]);
+                    geometry.meet_all(rays, met);
+                    geometry.hit_all(rays, met, hits);
+                    let all = hits.iter().flatten();
+                    count += all.inspect(|hit| sum += f64::from(hit.t + hit.ng.x)).count();
+                }
+                count
+            }
             // SAFETY: the scene stands, and `plain` has so many rays.
             Self::Embree(scene) if set.any => unsafe {
                 peer_occluded(*scene, plain.as_ptr(), plain.len())
             },
             Self::Embree(scene) => unsafe {
                 peer_closest(*scene, plain.as_ptr(), plain.len(), &raw mut sum)
+            },
+            // SAFETY: as above.
+            Self::EmbreePackets(scene) if set.any => unsafe {
+                peer_occluded_8(*scene, plain.as_ptr(), plain.len())
+            },
+            Self::EmbreePackets(scene) => unsafe {
+                peer_closest_8(*scene, plain.as_ptr(), plain.len(), &raw mut sum)
             },
         };
         black_box(sum);
@@ -99,10 +137,13 @@ fn main() -> ExitCode {
     };
     let geometry = triangles.geometry();
     let sets = sets::sets(&geometry, side);
+    let [fast, robust] = [false, true].map(|robust| Program::build(&triangles, robust));
     let programs = [
         ("scn", Program::Scn(&geometry)),
-        ("embree", Program::embree(&triangles, false)),
-        ("embree robust", Program::embree(&triangles, true)),
+        ("scn streams", Program::ScnStreams(&geometry)),
+        ("embree", Program::Embree(fast)),
+        ("embree packets", Program::EmbreePackets(fast)),
+        ("embree robust", Program::Embree(robust)),
     ];
     for set in &sets {
         measure(set, &programs, turns);
