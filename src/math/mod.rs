@@ -2,6 +2,7 @@
 //!
 //! Names nothing else of ours. f64 wherever a scene is described, f32 where it is rendered.
 
+pub mod angles;
 mod bounds;
 #[cfg(test)]
 pub(crate) mod chi_squared;

@@ -3,6 +3,7 @@
 //! Inside: integrators → {world film samplers tiles} → {cameras lights materials} →
 //! {textures geometry}.
 
+mod lanes;
 pub mod integrators;
 pub mod tiles;
 mod world;

@@ -10,9 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use super::World;
 use super::film::{Begun, Taken, Tile};
-use super::geometry::Ray;
-use super::integrators::{Carrier, GiveUp};
-use super::samplers::Stream;
+use super::integrators::{GiveUp, Wave};
+use super::lanes::LANES;
 use crate::math::Rgb;
 
 /// What a pass is asked to do.
@@ -82,10 +81,11 @@ impl Counts {
 }
 
 /// Takes the job's samples of every pixel of its tiles: the sums of each tile's block, with what
-/// was taken before. A tile is None if the job was cancelled before its end.
-pub fn pass<F>(world: &World, job: &Job, radiance: F) -> Vec<Option<Begun>>
+/// was taken before. A tile is None if the job was cancelled before its end. `follower` makes for each
+/// tile what follows the samples of a wave.
+pub fn pass<F>(world: &World, job: &Job, follower: impl Fn() -> F + Sync) -> Vec<Option<Begun>>
 where
-    F: Fn(&Ray, &mut Stream, &mut Carrier) + Sync,
+    F: FnMut(&mut Wave),
 {
     let tiles = world.film.tiles();
     job.tiles
@@ -96,7 +96,7 @@ where
                 return None;
             }
             let tile = &tiles[index];
-            let sums = one(world, job, tile, job.taken.begun(index), &radiance)?;
+            let sums = one(world, job, tile, job.taken.begun(index), follower())?;
             (job.advance)(tile.pixels() * (job.samples.end - job.samples.start));
             Some(sums)
         })
@@ -104,71 +104,91 @@ where
 }
 
 /// The samples of one tile; None if one of them was given up.
-fn one<F>(
+fn one(
     world: &World,
     job: &Job,
     tile: &Tile,
     from: Option<&Begun>,
-    radiance: &F,
-) -> Option<Begun>
-where
-    F: Fn(&Ray, &mut Stream, &mut Carrier),
-{
+    mut follow: impl FnMut(&mut Wave),
+) -> Option<Begun> {
     let rhythm = world.sampler.rhythm();
-    let (block, first) = (job.samples.start / rhythm.block, job.samples.start % rhythm.block);
-    let size = [tile.pixels() as usize, world.film.layers];
-    let fresh = || Begun::new(size, block, rhythm);
+    let block = job.samples.start / rhythm.block;
+    let fresh = || Begun::new([tile.pixels() as usize, world.film.layers], block, rhythm);
     let mut begun = from.cloned().unwrap_or_else(fresh);
-    let mut carrier = Carrier::new(world, *begun.counts());
-    carrier.give_up = Some(job.cancelled);
+    let mut wave = Wave::new(world, Some(job.cancelled));
+    // The samples of a pixel, then those of the next.
+    let mut samples = Vec::with_capacity(LANES);
     for (index, (x, y)) in tile.places().enumerate() {
-        let mut pixel = begun.pixel(index);
-        for (nth, sample) in (first..).zip(job.samples.clone()) {
-            let weight = take(world, job.seed, [x, y], sample, &mut carrier, radiance);
-            if carrier.given_up {
-                return None;
+        for number in job.samples.clone() {
+            samples.push(Sample { index, pixel: [x, y], number });
+            if samples.len() == LANES {
+                take(world, job.seed, &samples, (&mut wave, &mut follow), &mut begun)?;
+                samples.clear();
             }
-            let weighed = |radiance: Rgb| radiance.to_array().map(|x| weight * f64::from(x));
+        }
+    }
+    take(world, job.seed, &samples, (&mut wave, &mut follow), &mut begun)?;
+    Some(begun)
+}
+
+/// A sample of a pixel.
+struct Sample {
+    /// Number of the pixel in its tile.
+    index: usize,
+    /// Its place on the whole film.
+    pixel: [u64; 2],
+    /// Number of the sample, from 0.
+    number: u64,
+}
+
+/// Takes samples together, and adds them to their pixels in their order. None if one of them was
+/// given up.
+fn take(
+    world: &World,
+    seed: u64,
+    samples: &[Sample],
+    (wave, follow): (&mut Wave, &mut impl FnMut(&mut Wave)),
+    begun: &mut Begun,
+) -> Option<()> {
+    wave.begin(seed, samples.iter().map(|sample| (sample.pixel, sample.number)));
+    follow(wave);
+    if wave.given_up {
+        return None;
+    }
+    let rhythm = world.sampler.rhythm();
+    let layers = world.film.layers;
+    let mut counts = *begun.counts();
+    let mut brought = wave.brought();
+    for of_pixel in samples.chunk_by(|a, b| a.index == b.index) {
+        let index = of_pixel[0].index;
+        let mut pixel = begun.pixel(index);
+        for (sample, (carrier, weight)) in of_pixel.iter().zip(&mut brought) {
+            counts.rays += 1;
+            counts.shadow_rays += carrier.shadow_rays;
+            let weighed = |radiance: Rgb| {
+                let [r, g, b] = radiance.to_array();
+                [weight * f64::from(r), weight * f64::from(g), weight * f64::from(b)]
+            };
             let value = if carrier.radiance.is_finite() {
-                let sums = begun.layers(index, world.film.layers);
+                let sums = begun.layers(index, layers);
                 for (sum, layer) in sums.iter_mut().zip(&carrier.layers) {
                     let value = weighed(*layer);
                     (0..3).for_each(|channel| sum[channel] += value[channel]);
                 }
                 weighed(carrier.radiance)
             } else {
-                let first = Place { y, x, sample, object: carrier.object };
+                let ([x, y], object) = (sample.pixel, carrier.object);
+                let first = Place { y, x, sample: sample.number, object };
                 let invalid = Some(Invalid { count: 1, first });
-                carrier.counts.add(&Counts { invalid, ..Counts::default() });
+                counts.add(&Counts { invalid, ..Counts::default() });
                 [0.0; 3]
             };
-            pixel.add(value, nth, rhythm);
+            pixel.add(value, sample.number % rhythm.block, rhythm);
         }
         begun.put(index, &pixel);
     }
-    *begun.counts() = carrier.counts;
-    Some(begun)
-}
-
-/// Takes one sample of a pixel: what it finds is in the carrier. Returns what the filter makes of
-/// it, as a factor.
-pub(super) fn take<F>(
-    world: &World,
-    seed: u64,
-    [x, y]: [u64; 2],
-    sample: u64,
-    carrier: &mut Carrier,
-    radiance: &F,
-) -> f64
-where
-    F: Fn(&Ray, &mut Stream, &mut Carrier),
-{
-    let mut stream = world.sampler.stream(seed, world.film.index(x, y), sample);
-    let (dx, dy, weight) = world.film.filter.sample(stream.pair());
-    let ray = world.camera.ray(x as f64 + 0.5 + dx, y as f64 + 0.5 + dy);
-    carrier.counts.rays += 1;
-    radiance(&ray, &mut stream, carrier);
-    weight
+    *begun.counts() = counts;
+    Some(())
 }
 
 /// The most threads for each processor: more of them only take each other's time.
@@ -198,10 +218,11 @@ mod tests {
     use crate::math::Rgb;
     use crate::render::cameras::{Camera, Perspective};
     use crate::render::film::{Film, Filter, Window};
-    use crate::render::geometry::{Geometry, Shapes};
+    use crate::render::geometry::{Geometry, Ray, Shapes};
+    use crate::render::integrators::Carrier;
     use crate::render::lights::Lights;
     use crate::render::materials::Makeup;
-    use crate::render::samplers::Sampler;
+    use crate::render::samplers::{Sampler, Stream};
     use glam::DVec3;
 
     fn world() -> World {
@@ -233,6 +254,7 @@ mod tests {
     where
         F: Fn(&Ray, &mut Stream, &mut Carrier) + Sync,
     {
+        let follower = || |wave: &mut Wave| wave.each(&radiance);
         let tiles: Vec<usize> = (0..taken.tiles()).collect();
         let end = samples.end;
         let job = Job {
@@ -243,7 +265,7 @@ mod tests {
             cancelled: &|_| false,
             advance: &|_| (),
         };
-        for (tile, begun) in pass(world, &job, radiance).into_iter().enumerate() {
+        for (tile, begun) in pass(world, &job, follower).into_iter().enumerate() {
             taken.put(tile, begun.unwrap(), end);
         }
         taken

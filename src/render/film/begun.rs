@@ -99,7 +99,8 @@ impl PixelSums {
         }
         let taken = nth + 1;
         if let Some(within) = self.within.as_mut().filter(|_| taken <= 2 * rhythm.round) {
-            let mut all = [0, 1, 2].map(|c| self.sum[c] + self.part[c]);
+            let [sum, part] = [self.sum, self.part];
+            let mut all = [sum[0] + part[0], sum[1] + part[1], sum[2] + part[2]];
             take(&mut all, within, value, taken);
         }
         for (part, value) in self.part.iter_mut().zip(value) {

@@ -64,12 +64,14 @@ impl Filter {
 
     /// Where in a pixel a sample falls, from `u` in [0, 1)²: the offset from the pixel's centre
     /// along x and y, and the sample's weight, whose mean is 1.
+    #[inline]
     pub fn sample(&self, u: [f64; 2]) -> (f64, f64, f64) {
-        let [(x, along_x), (y, along_y)] = u.map(|u| self.along(u));
+        let ((x, along_x), (y, along_y)) = (self.along(u[0]), self.along(u[1]));
         (x, y, along_x * along_y)
     }
 
     /// The same along one axis. The offset grows with `u`, so stratified numbers stay stratified.
+    #[inline]
     fn along(&self, u: f64) -> (f64, f64) {
         match self {
             Self::Box { radius } => ((2.0 * u - 1.0) * radius, 1.0),

@@ -1,10 +1,10 @@
 //! Rays, the points where they begin and end, and what is known where they meet a surface.
 
-use glam::{DVec2, DVec3, Vec2, Vec3, Vec3A, Vec3Swizzles};
+use glam::{BVec3, DVec2, DVec3, Vec2, Vec3, Vec3A, Vec3Swizzles};
 
 use super::block::Across;
 use super::lanes::Lanes;
-use super::rounding::{above, gamma_32};
+use super::rounding::{above, below, gamma_32};
 use super::shapes::{Kind, Primitive};
 
 /// A ray. It meets surfaces at t in the open interval (0, `t_max`).
@@ -24,6 +24,7 @@ pub struct Ray {
 
 impl Ray {
     /// A ray without end, from no surface that is known.
+    #[inline]
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
         let (leaves, reaches) = (Sheet::NONE, Sheet::NONE);
         Self { origin, direction, t_max: f32::INFINITY, leaves, reaches }
@@ -47,6 +48,7 @@ impl Sheet {
     }
 
     /// As a number: that of a triangle, or one that no triangle has.
+    #[inline]
     pub(super) fn bits(self) -> u32 {
         self.0
     }
@@ -90,6 +92,27 @@ impl Point {
     #[inline]
     pub fn ray(&self, direction: Vec3) -> Ray {
         Ray { leaves: self.sheet, ..Ray::new(self.leave(direction), direction) }
+    }
+}
+
+impl Point {
+    /// [`Self::leave`] coordinate by coordinate, to the same bits.
+    #[inline(always)]
+    fn left(&self, direction: Vec3) -> Vec3 {
+        let (ng, position) = (self.ng, self.position);
+        let distance = ng.abs().dot(self.error);
+        let side = if direction.dot(ng) < 0.0 { -distance } else { distance };
+        let coordinate = |position: f32, ng: f32| {
+            let offset = side * ng;
+            let moved = position + offset;
+            let step = (moved.abs() * f32::EPSILON + f32::MIN_POSITIVE).copysign(offset);
+            moved + if offset == 0.0 { 0.0 } else { step }
+        };
+        Vec3::new(
+            coordinate(position.x, ng.x),
+            coordinate(position.y, ng.y),
+            coordinate(position.z, ng.z),
+        )
     }
 }
 
@@ -139,29 +162,30 @@ impl Hit {
     }
 }
 
+/// What rounding can move the end of a way by, for its size.
+const OF_A_WAY: f64 = gamma_32(4);
+
 /// A shadow ray between two points, both ends kept off their surfaces by their error bounds.
 ///
 /// The far end is kept off further by what rounding the direction and the length can move it:
 /// γ₃₂(4) of the way, per coordinate. Two points at the same place give a ray of no length.
+///
+/// Without jumps and vectors of its own, so that a loop over it becomes vectors.
 #[inline(always)]
 pub fn between(from: &Point, to: &Point) -> Ray {
-    let origin = from.leave(to.position - from.position);
+    let origin = from.left(to.position - from.position);
     let start = origin.as_dvec3();
     let way = to.position.as_dvec3() - start;
-    let error = above(to.error.as_dvec3() + way.abs() * gamma_32(4));
-    let end = Point { error, ..*to }.leave(-way.as_vec3());
+    let error = above(to.error.as_dvec3() + way.abs() * OF_A_WAY);
+    let end = Point { error, ..*to }.left(-way.as_vec3());
     let span = end.as_dvec3() - start;
     let length = span.length();
-    let Some(direction) = span.try_normalize() else {
-        return Ray { t_max: 0.0, ..Ray::new(origin, Vec3::Z) };
-    };
-    Ray {
-        origin,
-        direction: direction.as_vec3(),
-        t_max: (length as f32).next_down().max(0.0),
-        leaves: from.sheet,
-        reaches: to.sheet,
-    }
+    let inverse = 1.0 / length;
+    let apart = (inverse > 0.0) & (inverse < f64::INFINITY);
+    let direction = (span * inverse).as_vec3();
+    let direction = Vec3::select(BVec3::splat(apart), direction, Vec3::Z);
+    let t_max = if apart { below(length as f32) } else { 0.0 };
+    Ray { origin, direction, t_max, leaves: from.sheet, reaches: to.sheet }
 }
 
 /// A ray as the shapes want it: in f64, where f32 coordinates and their differences are exact, and
@@ -315,6 +339,29 @@ fn inverse(direction: Vec3A) -> Vec3A {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_point_is_left_alike_by_vectors_and_by_numbers() {
+        use crate::math::random;
+        for i in 0..20_000 {
+            let three = |place: u64| {
+                let [x, y] = random::unit_pair(random::at(61, 10 * i + place));
+                let [z, _] = random::unit_pair(random::at(62, 10 * i + place));
+                Vec3::new(x as f32, y as f32, z as f32) - 0.5
+            };
+            let flat = if i % 4 == 0 { Vec3::new(0.0, 1.0, 0.0) } else { Vec3::ONE };
+            let ng = (three(0) * flat).normalize_or_zero();
+            let point = Point {
+                position: three(1),
+                error: three(2).abs() * 1e-6,
+                ng,
+                ..Point::free(Vec3::ZERO)
+            };
+            assert_eq!(point.left(three(3)), point.leave(three(3)));
+        }
+        let free = Point::free(Vec3::new(0.0, -0.0, 3.0));
+        assert_eq!(free.left(Vec3::X), free.position);
+    }
 
     #[test]
     fn inverses_are_finite_and_zeros_alike() {

@@ -66,7 +66,14 @@ fn next(x: f32) -> f32 {
     f32::from_bits(x.to_bits() + 1)
 }
 
-/// The same of each coordinate, none of them negative.
+/// The next f32 below one that is positive; 0 of what is not.
+#[inline(always)]
+pub(super) fn below(x: f32) -> f32 {
+    let below = f32::from_bits(x.to_bits().wrapping_sub(1));
+    if x > 0.0 { below } else { 0.0 }
+}
+
+/// The next f32 above each coordinate, none of them negative.
 #[inline(always)]
 pub(super) fn above(x: DVec3) -> Vec3 {
     let x = x.as_vec3();

@@ -1,6 +1,6 @@
 //! Points on shapes, uniform by area, for lamps.
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::{BVec3, DVec3, Vec2, Vec3};
 
 use super::shapes::Kind;
 use super::{Geometry, Point, Primitive, Sheet};
@@ -48,6 +48,16 @@ impl Facet {
         let ng = triangle::normal(corners).normalize_or(DVec3::Z).as_vec3();
         let sheet = Sheet::of(primitive);
         Self { magnitude: a.abs() + b.abs() + c.abs(), ng, sheet }
+    }
+
+    /// This one, or the other: by a choice of numbers, not of ways.
+    #[inline(always)]
+    pub fn or(&self, other: &Self, is_other: bool) -> Self {
+        Self {
+            magnitude: DVec3::select(BVec3::splat(is_other), other.magnitude, self.magnitude),
+            ng: Vec3::select(BVec3::splat(is_other), other.ng, self.ng),
+            sheet: if is_other { other.sheet } else { self.sheet },
+        }
     }
 
     /// A point of it that was computed in f64 from its form.

@@ -8,12 +8,11 @@ use crate::render::geometry::{Hit, Ray};
 use crate::render::lights::Site;
 use crate::render::materials::Scattered;
 use crate::render::overlaps::Overlaps;
-use crate::render::tiles::Counts;
 
 /// What a sample brings home.
 pub struct Carrier<'w> {
-    /// What is counted.
-    pub counts: Counts,
+    /// Rays to lamps.
+    pub shadow_rays: u64,
     /// Radiance along the camera's ray, in light units.
     pub radiance: Rgb,
     /// The part of it that belongs to each layer.
@@ -31,7 +30,7 @@ pub struct Carrier<'w> {
     /// Rays of this sample that were to be followed.
     followed: u64,
     /// Whether to give up a sample that has followed so many rays; asked now and then.
-    pub give_up: Option<&'w GiveUp<'w>>,
+    give_up: Option<&'w GiveUp<'w>>,
     /// The sample was given up: what it found is no sample.
     pub given_up: bool,
 }
@@ -79,10 +78,10 @@ pub struct Trail {
 }
 
 impl<'w> Carrier<'w> {
-    /// With these counts, and nothing found, for a film of this world.
-    pub fn new(world: &'w World, counts: Counts) -> Self {
+    /// With nothing found, for a film of this world.
+    pub fn new(world: &'w World, give_up: Option<&'w GiveUp<'w>>) -> Self {
         Self {
-            counts,
+            shadow_rays: 0,
             radiance: Rgb::BLACK,
             layers: vec![Rgb::BLACK; world.film.layers],
             paths: world.paths.as_ref(),
@@ -91,7 +90,7 @@ impl<'w> Carrier<'w> {
             object: None,
             waiting: Vec::new(),
             followed: 0,
-            give_up: None,
+            give_up,
             given_up: false,
         }
     }
@@ -99,6 +98,7 @@ impl<'w> Carrier<'w> {
     /// Begins a sample.
     #[inline]
     pub fn start(&mut self) -> Trail {
+        self.shadow_rays = 0;
         self.radiance = Rgb::BLACK;
         self.layers.fill(Rgb::BLACK);
         self.object = None;
@@ -161,6 +161,20 @@ impl<'w> Carrier<'w> {
         self.paths.is_some_and(|paths| paths.end(trail.state) == End::Outside)
     }
 
+    /// A path asks a light that brings this radiance if nothing is in its way.
+    pub fn ask(
+        &mut self,
+        world: &World,
+        shadows: bool,
+        ray: &Ray,
+        (trail, radiance): (Trail, Rgb),
+    ) {
+        self.shadow_rays += u64::from(shadows);
+        if !(shadows && world.geometry.occluded(ray)) {
+            self.add(trail, radiance, || Source::of(ray));
+        }
+    }
+
     /// A path has come to a light, and brings this radiance.
     #[inline]
     pub fn add(&mut self, trail: Trail, radiance: Rgb, source: impl FnOnce() -> Source) {
@@ -204,12 +218,21 @@ impl Branch {
     /// The first surface that the ray meets.
     #[inline]
     pub fn meet(&mut self, world: &World) -> Option<Hit> {
-        let hit = world.geometry.closest(&self.ray)?;
-        let Some(overlaps) = &world.overlaps else { return Some(hit) };
-        let direction = self.ray.direction;
-        let (hit, inside) = overlaps.first(&world.geometry, hit, direction, self.inside)?;
-        self.inside = inside;
-        Some(hit)
+        let mut hit = world.geometry.closest(&self.ray);
+        self.pass(world, &mut hit);
+        hit
+    }
+
+    /// From the first surface that the ray meets to the first that is there.
+    #[inline]
+    pub fn pass(&mut self, world: &World, hit: &mut Option<Hit>) {
+        if let (Some(overlaps), Some(met)) = (&world.overlaps, *hit) {
+            let found = overlaps.first(&world.geometry, met, self.ray.direction, self.inside);
+            *hit = found.map(|(hit, inside)| {
+                self.inside = inside;
+                hit
+            });
+        }
     }
 
     /// Becomes a ray that goes on from a surface, one of `rays`; its trail is still that before the

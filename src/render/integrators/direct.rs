@@ -8,7 +8,7 @@ use super::roulette::Roulette;
 use super::{Ray, Source, Stream, World};
 use crate::math::Rgb;
 use crate::render::geometry::Hit;
-use crate::render::lights::Site;
+use crate::render::lights::{Arrival, Site};
 use crate::render::materials::{Matter, Part, Scatter};
 
 /// The direct integrator.
@@ -87,8 +87,13 @@ impl Direct {
         carrier: &mut Carrier,
     ) {
         if let Some(lighting) = &self.lighting {
-            let on = (trail, throughput);
-            lighting.ask(world, (site, bsdf), stream, on, carrier, |_, _| 1.0);
+            lighting.ask(world, site, stream, |arrival, taken| {
+                let Arrival { wi, irradiance, shadow, .. } = arrival;
+                if let Some(scattered) = lighting.scattered(bsdf, *wi, *irradiance) {
+                    let light = throughput * scattered * (1.0 / taken);
+                    carrier.ask(world, lighting.shadows, shadow, (trail, light));
+                }
+            });
         }
         if let Some(ambient) = &self.ambient {
             let fan = stream.fan(ambient.rays);
@@ -96,7 +101,7 @@ impl Direct {
                 let Some(way) = bsdf.sample(Part::Scattering, fan.four(nth)) else { continue };
                 let ray = Ray { t_max: ambient.distance, ..site.point.ray(way.wi) };
                 let light = way.weight * world.lights.ambient(way.wi);
-                carrier.counts.shadow_rays += 1;
+                carrier.shadow_rays += 1;
                 if !light.is_black() && !world.geometry.occluded(&ray) {
                     let light = throughput * light / ambient.rays as f32;
                     carrier.add(trail, light, || Source::Direction(way.wi));

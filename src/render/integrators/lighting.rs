@@ -1,7 +1,8 @@
 //! Next-event estimation: lights are asked at a point, each for one or several of its points.
 
-use super::carrier::{Carrier, Trail};
-use super::{Source, Stream, World};
+use glam::Vec3;
+
+use super::{Stream, World};
 use crate::math::Rgb;
 use crate::render::lights::{Arrival, Light, Site};
 use crate::render::materials::Scatter;
@@ -31,46 +32,31 @@ pub enum AreaLights {
 }
 
 impl Lighting {
-    /// Brings home what the surface scatters to the viewer of what all lights send, on a path that
-    /// has scattered there, times the throughput so far. `weigh` is told the density of each
-    /// direction, times the samples that are taken by it (0 where no other way could find it), and
-    /// answers with the part that counts.
+    /// Whether one point of one light is asked for: the common case, by one draw of four numbers.
+    fn is_single(&self) -> bool {
+        (self.chosen, self.points) == (Some(1), 1)
+    }
+
+    /// Whether that is any point of it, so that many sites can ask together.
+    pub fn is_plain(&self) -> bool {
+        self.is_single() && self.area_lights == AreaLights::Random
+    }
+
+    /// Tells `offer` of all light that arrives at a site, and how many samples its light gets.
     #[inline]
     pub fn ask(
         &self,
         world: &World,
-        (site, bsdf): (&Site, &impl Scatter),
+        site: &Site,
         stream: &mut Stream,
-        (trail, throughput): (Trail, Rgb),
-        carrier: &mut Carrier,
-        weigh: impl Fn(&Arrival, f32) -> f32,
+        mut offer: impl FnMut(&Arrival, f32),
     ) {
-        let mut ask = |light: &Light, taken: f32, [u, v, ..]: [f64; 4]| {
-            let arrival = match self.area_lights {
-                AreaLights::Center => light.at_centre(&world.geometry, site, [u, v]),
-                AreaLights::Random => light.sample(&world.geometry, site, [u, v]),
-            };
-            let Some(arrival) = arrival else { return };
-            let scattered = bsdf.scattered(arrival.wi) * arrival.irradiance;
-            if scattered.is_black() {
-                return;
+        let mut ask = |light: &Light, taken: f32, u: [f64; 4]| {
+            if let Some(arrival) = self.arrival(world, site, light, u) {
+                offer(&arrival, taken);
             }
-            if self.shadows {
-                // A surface hides first of all what is behind itself.
-                if !bsdf.faces(arrival.wi) {
-                    return;
-                }
-                carrier.counts.shadow_rays += 1;
-                if world.geometry.occluded(&arrival.shadow) {
-                    return;
-                }
-            }
-            let part = weigh(&arrival, taken * arrival.pdf_w) / taken;
-            let light = throughput * scattered * part;
-            carrier.add(trail, light, || Source::of(&arrival.shadow));
         };
-        // One point of one light: the common case, without loops.
-        if (self.chosen, self.points) == (Some(1), 1) {
+        if self.is_single() {
             let u = stream.four();
             if let Some((number, pmf)) = world.lights.choose(site, u[2]) {
                 ask(&world.lights.all[number], pmf, u);
@@ -78,6 +64,30 @@ impl Lighting {
             return;
         }
         self.each(world, site, stream, &mut ask);
+    }
+
+    /// Light from a point of a light.
+    #[inline(always)]
+    fn arrival(
+        &self,
+        world: &World,
+        site: &Site,
+        light: &Light,
+        [u, v, ..]: [f64; 4],
+    ) -> Option<Arrival> {
+        match self.area_lights {
+            AreaLights::Center => light.at_centre(&world.geometry, site, [u, v]),
+            AreaLights::Random => light.sample(&world.geometry, site, [u, v]),
+        }
+    }
+
+    /// What the surface scatters of light that arrives; None: nothing, whatever is in the way.
+    #[inline(always)]
+    pub fn scattered(&self, bsdf: &impl Scatter, wi: Vec3, irradiance: Rgb) -> Option<Rgb> {
+        let scattered = bsdf.scattered(wi) * irradiance;
+        // A surface hides first of all what is behind itself.
+        let seen = !scattered.is_black() && (!self.shadows || bsdf.faces(wi));
+        seen.then_some(scattered)
     }
 
     /// Asks for every point of every light, or of those that are chosen.

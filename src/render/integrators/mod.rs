@@ -3,11 +3,14 @@
 
 mod carrier;
 mod direct;
+mod flight;
 mod lighting;
 mod path;
 mod preview;
 mod roulette;
+mod stages;
 mod traced;
+mod wave;
 
 pub use carrier::{Carrier, GiveUp};
 pub use direct::{Ambient, Direct};
@@ -16,7 +19,9 @@ pub use path::{Path, Splits};
 pub use preview::Preview;
 pub use roulette::Roulette;
 pub use traced::{Source, Traced};
+pub use wave::Wave;
 
+use flight::Flight;
 use traced::Tracing;
 
 use super::World;
@@ -24,7 +29,7 @@ use super::film::Begun;
 use super::geometry::Ray;
 use super::materials::{Any, Makeup, Matter, OnlyDiffuse};
 use super::samplers::Stream;
-use super::tiles::{self, Counts, Job};
+use super::tiles::{self, Job};
 
 /// How light is followed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,14 +54,19 @@ impl Integrator {
 
     fn pass_among<M: Matter>(&self, world: &World, job: &Job) -> Vec<Option<Begun>> {
         match self {
-            Self::Direct(direct) => tiles::pass(world, job, |ray, stream, carrier| {
-                direct.radiance::<M>(world, ray, stream, carrier)
+            Self::Direct(direct) => tiles::pass(world, job, || {
+                |wave: &mut Wave| {
+                    wave.each(|ray, stream, carrier| {
+                        direct.radiance::<M>(world, ray, stream, carrier);
+                    })
+                }
             }),
-            Self::Path(path) => tiles::pass(world, job, |ray, stream, carrier| {
-                path.radiance::<M>(world, ray, stream, carrier)
+            Self::Path(path) => tiles::pass(world, job, || {
+                let mut flight = Flight::<M>::new();
+                move |wave: &mut Wave| path.follow(wave, &mut flight)
             }),
-            Self::Preview(preview) => tiles::pass(world, job, |ray, _: &mut Stream, carrier| {
-                preview.radiance(world, ray, carrier)
+            Self::Preview(preview) => tiles::pass(world, job, || {
+                |wave: &mut Wave| wave.each(|ray, _, carrier| preview.radiance(world, ray, carrier))
             }),
         }
     }
@@ -72,22 +82,23 @@ impl Integrator {
         sample: u64,
         mut visit: impl FnMut(f64, Traced),
     ) {
-        let mut carrier = Carrier::new(world, Counts::default());
-        carrier.traced = Some(Tracing::default());
-        let weight = tiles::take(
-            world,
-            seed,
-            pixel,
-            sample,
-            &mut carrier,
-            &|ray, stream, carrier| match self {
-                Self::Direct(direct) => direct.radiance::<Any>(world, ray, stream, carrier),
-                Self::Path(path) => path.radiance::<Any>(world, ray, stream, carrier),
-                Self::Preview(preview) => preview.radiance(world, ray, carrier),
-            },
-        );
-        if let Some(tracing) = carrier.traced.filter(|_| carrier.radiance.is_finite()) {
-            tracing.paths().for_each(|path| visit(weight, path));
+        let mut wave = Wave::new(world, None);
+        wave.begin(seed, std::iter::once((pixel, sample)));
+        wave.trace();
+        match self {
+            Self::Direct(direct) => wave.each(|ray, stream, carrier| {
+                direct.radiance::<Any>(world, ray, stream, carrier);
+            }),
+            Self::Path(path) => path.follow(&mut wave, &mut Flight::<Any>::new()),
+            Self::Preview(preview) => {
+                wave.each(|ray, _, carrier| preview.radiance(world, ray, carrier))
+            }
+        }
+        for (carrier, weight) in wave.brought().filter(|(carrier, _)| carrier.radiance.is_finite())
+        {
+            if let Some(tracing) = &carrier.traced {
+                tracing.paths().for_each(|path| visit(weight, path));
+            }
         }
     }
 }

@@ -4,10 +4,10 @@
 use super::carrier::{Branch, Carrier};
 use super::lighting::Lighting;
 use super::roulette::Roulette;
-use super::{Ray, Source, Stream, World};
+use super::{Source, Stream, World};
 use crate::render::geometry::Hit;
 use crate::render::lights::Site;
-use crate::render::materials::{Matter, Part, Scatter};
+use crate::render::materials::{Part, Scatter};
 
 /// The path tracer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,96 +41,14 @@ pub struct Splits {
 /// The power heuristic, with the square [Veach95]: the part of one way to find light that is
 /// found with density `a`, and by another way with density `b`.
 #[inline]
-fn power(a: f32, b: f32) -> f32 {
+pub(super) fn power(a: f32, b: f32) -> f32 {
     // By the ratio: squares of large densities have no place in f32.
     if a > b { 1.0 / (1.0 + (b / a).powi(2)) } else { (a / b).powi(2) / (1.0 + (a / b).powi(2)) }
 }
 
 impl Path {
-    /// Radiance along the ray.
-    pub fn radiance<M: Matter>(
-        &self,
-        world: &World,
-        ray: &Ray,
-        stream: &mut Stream,
-        carrier: &mut Carrier,
-    ) {
-        let trail = carrier.start();
-        let mut branch = Branch::first(world, ray, trail);
-        loop {
-            while self.step::<M>(world, &mut branch, stream, carrier) {}
-            match carrier.waiting.pop() {
-                Some(next) => branch = next,
-                None => return,
-            }
-        }
-    }
-
-    /// Follows a ray to a surface, or out, and brings home what it meets there. Whether it goes on,
-    /// as the branch then is. Where several rays go on from the surface, they wait.
-    #[inline(always)]
-    fn step<M: Matter>(
-        &self,
-        world: &World,
-        branch: &mut Branch,
-        stream: &mut Stream,
-        carrier: &mut Carrier,
-    ) -> bool {
-        let Some(hit) = branch.meet(world) else {
-            self.escaped(world, branch, carrier);
-            return false;
-        };
-        let surfaces = branch.scattered + branch.mirrored;
-        if surfaces == 0 {
-            carrier.object = Some(hit.object);
-        }
-        let material = &world.materials[hit.material as usize];
-        let emission = material.emission(&hit, -branch.ray.direction);
-        if !emission.is_black() {
-            let weight = self.weight_of_met(world, branch, &hit);
-            let light = branch.throughput * emission * weight;
-            carrier.add(branch.trail, light, || Source::Point(hit.position));
-        }
-        if surfaces >= self.depth {
-            return false;
-        }
-        let bsdf = M::at(material, &hit, -branch.ray.direction);
-        let site = Site::new(&hit, &bsdf);
-        let split = self.split(branch, &bsdf);
-        if let (Some(lighting), Some(event)) = (&self.lighting, bsdf.scatters()) {
-            let trail = carrier.after(branch.trail, event, &hit);
-            if !carrier.is_hidden(trail) {
-                let on = (trail, branch.throughput);
-                lighting.ask(world, (&site, &bsdf), stream, on, carrier, |light, taken| {
-                    // No other way finds it, or none is to count.
-                    if taken == 0.0 || !self.mis {
-                        return 1.0;
-                    }
-                    power(taken, split.rays as f32 * bsdf.pdf_w(split.part, light.wi))
-                });
-            }
-        }
-        if split.specular || split.diffuse {
-            self.split_on(branch, &hit, (&site, &bsdf, split), stream, carrier);
-            return false;
-        }
-        let u = stream.four();
-        let Some(mut way) = bsdf.sample(Part::All, u) else { return false };
-        if surfaces >= self.roulette_after {
-            let throughput = branch.throughput * way.weight / branch.squeeze;
-            let survival = self.roulette.survival(way.weight, throughput, surfaces);
-            // The last of the four decides nothing else.
-            if u[3] >= f64::from(survival) {
-                return false;
-            }
-            way.weight = way.weight / survival;
-        }
-        branch.turn(&site, &way, 1);
-        carrier.behind(branch, way.event, &hit)
-    }
-
     /// What a ray brings that meets nothing.
-    fn escaped(&self, world: &World, branch: &Branch, carrier: &mut Carrier) {
+    pub(super) fn escaped(&self, world: &World, branch: &Branch, carrier: &mut Carrier) {
         for light in &world.lights.surroundings {
             let radiance = light.radiance(branch.ray.direction);
             if radiance.is_black() {
@@ -145,7 +63,7 @@ impl Path {
     }
 
     /// The part that counts of the emission of a surface that was met.
-    fn weight_of_met(&self, world: &World, branch: &Branch, hit: &Hit) -> f32 {
+    pub(super) fn weight_of_met(&self, world: &World, branch: &Branch, hit: &Hit) -> f32 {
         let number = world.lights.of_material(hit.material);
         self.weight(world, branch, number, |site| {
             number.map_or(0.0, |number| world.lights.all[number].pdf_w(site, hit))
@@ -174,7 +92,7 @@ impl Path {
 
     /// How many rays go on from a surface, and by which part of what it does.
     #[inline]
-    fn split(&self, branch: &Branch, bsdf: &impl Scatter) -> Split {
+    pub(super) fn split(&self, branch: &Branch, bsdf: &impl Scatter) -> Split {
         let specular = bsdf.is_specular() && branch.specular_splits < self.splits.specular;
         let part = if specular { Part::Scattering } else { Part::All };
         let diffuse = bsdf.scatters().is_some() && branch.diffuse_splits < self.splits.diffuse;
@@ -184,7 +102,7 @@ impl Path {
 
     /// Sends several rays on, none of which is ended by chance.
     #[inline(never)]
-    fn split_on(
+    pub(super) fn split_on(
         &self,
         branch: &Branch,
         hit: &Hit,
@@ -217,13 +135,21 @@ impl Path {
 
 /// How a path goes on from a surface.
 #[derive(Clone, Copy, Debug)]
-struct Split {
+pub(super) struct Split {
     /// By all its specular ways.
-    specular: bool,
+    pub specular: bool,
     /// By several rays.
-    diffuse: bool,
+    pub diffuse: bool,
     /// What a ray is sampled of.
-    part: Part,
+    pub part: Part,
     /// How many rays.
-    rays: u32,
+    pub rays: u32,
+}
+
+impl Split {
+    /// Whether not one ray goes on, but all that there are.
+    #[inline]
+    pub fn is_any(self) -> bool {
+        self.specular || self.diffuse
+    }
 }

@@ -38,17 +38,26 @@ impl Flat {
     /// that is dark.
     #[inline(always)]
     pub fn height(&self, site: &Site, both: bool) -> Option<f64> {
-        let height = (site.point.position.as_dvec3() - self.at).dot(self.normal);
-        let error = self.normal.abs().dot(site.point.error.as_dvec3());
+        let (height, is_over) = self.over(&site.point, both);
+        is_over.then_some(height)
+    }
+
+    /// The height of a point over the plane, and whether that is [one](Self::height).
+    #[inline(always)]
+    pub fn over(&self, from: &Point, both: bool) -> (f64, bool) {
+        let height = (from.position.as_dvec3() - self.at).dot(self.normal);
+        let error = self.normal.abs().dot(from.error.as_dvec3());
         let seen = if both { height.abs() } else { height };
-        (seen > error).then_some(height)
+        (height, seen > error)
     }
 
     /// Density in solid angle of what is uniform by area, a way off.
+    #[inline(always)]
     pub fn density(&self, way: DVec3) -> f64 {
         let distance_2 = way.length_squared();
         let along = way.dot(self.normal).abs();
-        if along > 0.0 { distance_2 * distance_2.sqrt() / (self.area * along) } else { 0.0 }
+        let density = distance_2 * distance_2.sqrt() / (self.area * along);
+        if along > 0.0 { density } else { 0.0 }
     }
 
     /// One of its points, that was chosen by area.

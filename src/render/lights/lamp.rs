@@ -5,6 +5,7 @@ use glam::{DVec3, Vec3};
 use super::crowd::{Chosen, Crowd};
 use super::flat::Sampled;
 use super::patch::Patch;
+use super::rectangle::Rectangle;
 use super::{Arrival, Emitter, Geometry, Hit, Point, Site, between};
 use crate::math::Rgb;
 use crate::render::geometry::{Primitive, Sheet};
@@ -79,13 +80,32 @@ impl Lamp {
         };
         let patch = self.patches.get(chosen.number)?;
         let found = patch.sample(geometry, (site, self.both), [chosen.u, u[1]])?;
+        Some(self.arrival(&site.point, &found, chosen.pmf))
+    }
+
+    /// Light from a point of one of its surfaces, of which that was chosen with this probability.
+    #[inline(always)]
+    pub(super) fn arrival(&self, from: &Point, found: &Sampled, pmf: f64) -> Arrival {
         let Sampled { point, wi, pdf_w } = found;
-        let pdf_w = chosen.pmf * pdf_w;
+        let pdf_w = pmf * pdf_w;
         let irradiance = self.radiance * (1.0 / pdf_w) as f32;
-        let shadow = between(&site.point, &point);
+        let shadow = between(from, point);
         // Of what is tiny and far, no more than f32 holds.
         let pdf_w = pdf_w.min(f64::from(f32::MAX)) as f32;
-        Some(Arrival { wi: wi.as_vec3(), irradiance, pdf_w, shadow })
+        Arrival { wi: wi.as_vec3(), irradiance, pdf_w, shadow }
+    }
+
+    /// Its only surface, if that is a rectangle.
+    pub(super) fn rectangle(&self) -> Option<&Rectangle> {
+        match self.patches.as_slice() {
+            [Patch::Rectangle(rectangle)] => Some(rectangle),
+            _ => None,
+        }
+    }
+
+    /// Whether the backs shine as well.
+    pub(super) fn both(&self) -> bool {
+        self.both
     }
 
     /// Larsen's simplification: all flux from the centre, L = Lₑ A cos θ / r², θ at the lamp.

@@ -17,6 +17,7 @@ mod round;
 mod sky;
 mod spot;
 mod surroundings;
+mod together;
 mod triangle;
 
 #[cfg(test)]
@@ -29,6 +30,7 @@ pub use point::PointLight;
 pub use sky::Sky;
 pub use spot::SpotLight;
 pub use surroundings::{Sight, Surroundings};
+pub use together::{Arrivals, Sites};
 
 use glam::Vec3;
 

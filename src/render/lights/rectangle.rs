@@ -2,10 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use glam::DVec3;
+use glam::{BVec3, DVec3};
 
 use super::flat::{Flat, LEAST, Sampled, is_wide};
 use super::{Geometry, Point, Site};
+use crate::math::angles;
 use crate::render::geometry::{Facet, Form, Primitive};
 
 /// A rectangle as a site sees it, in a frame of its own: x and y along its edges, z away from it.
@@ -33,21 +34,18 @@ impl SolidRectangle {
         let one = apart(corner(x[1], y[1]), corner(x[0], y[1]));
         let other = apart(corner(x[1], y[0]), corner(x[0], y[0]));
         let [real, imaginary] = apart(one, other);
-        let angle = imaginary.atan2(real);
-        let above = x[0] < 0.0 && x[1] > 0.0 && y[0] < 0.0 && y[1] > 0.0;
+        let angle = angles::atan2(imaginary, real);
+        let above = (x[0] < 0.0) & (x[1] > 0.0) & (y[0] < 0.0) & (y[1] > 0.0);
         // Beside it no more than half of the half space is seen of it: what is negative is zero.
-        let solid_angle = match angle < 0.0 {
-            true if above => angle + TAU,
-            true => 0.0,
-            false => angle,
-        };
+        let around = if above { angle + TAU } else { 0.0 };
+        let solid_angle = if angle < 0.0 { around } else { angle };
         Self { x, y, height, solid_angle }
     }
 
     /// A point of it, x and y, uniform in solid angle.
     ///
-    /// Written without `map` and closures over arrays: where they are not inlined they cost more
-    /// than what they do.
+    /// Written without `map`, which a compiler may not inline, and without jumps: a loop over it
+    /// becomes vectors.
     #[inline(always)]
     pub fn sample(&self, [u, v]: [f64; 2]) -> [f64; 2] {
         let h_2 = self.height * self.height;
@@ -60,24 +58,24 @@ impl SolidRectangle {
         let (s2, s3) = ((1.0 - c2 * c2).max(0.0).sqrt(), (1.0 - c3 * c3).max(0.0).sqrt());
         // What both lack of a full turn, and a part of the solid angle beyond it.
         let (cos_turn, sin_turn) = (c2 * c3 - s2 * s3, -(s2 * c3 + c2 * s3));
-        let (sin, cos) = (u * self.solid_angle).sin_cos();
+        let (sin, cos) = angles::sin_cos(u * self.solid_angle);
         let (sin, cos) = (sin * cos_turn + cos * sin_turn, cos * cos_turn - sin * sin_turn);
         // With f = n / sin, c of the paper is ±1 / √(f² + y0²), and x = c h / √(1 - c²).
         let n = -(cos * y0 + y1);
         let rest = n * n - sin * sin * (h_2 / (self.y[0] * self.y[0] + h_2));
         let x = self.height.abs() * sin / rest.max(f64::MIN_POSITIVE).sqrt();
         let x = if n < 0.0 { -x } else { x };
-        let x = x.clamp(self.x[0], self.x[1]);
+        let x = x.max(self.x[0]).min(self.x[1]);
         let d_2 = x * x + h_2;
         let sine = |y: f64| y / (d_2 + y * y).sqrt();
         let (h0, h1) = (sine(self.y[0]), sine(self.y[1]));
         let h = h0 + v * (h1 - h0);
         let y = h * (d_2 / (1.0 - h * h).max(f64::MIN_POSITIVE)).sqrt();
-        [x, y.clamp(self.y[0], self.y[1])]
+        [x, y.max(self.y[0]).min(self.y[1])]
     }
 
     /// The way from the site to a point of it, by the directions of the frame.
-    #[inline]
+    #[inline(always)]
     pub fn way(&self, [x, y]: [f64; 2], axes: [DVec3; 2], normal: DVec3) -> DVec3 {
         x * axes[0] + y * axes[1] - self.height * normal
     }
@@ -136,40 +134,57 @@ impl Rectangle {
         self.triangles
     }
 
-    /// None in the middle: it is to be sampled by area. None at all: it is not seen.
+    /// As a site sees it that is so high over its plane; and whether it is near enough to be
+    /// sampled by solid angle.
     #[inline(always)]
-    fn solid(&self, site: &Site, both: bool) -> Option<Option<SolidRectangle>> {
-        let height = self.flat.height(site, both)?;
-        let corner = self.flat.at - site.point.position.as_dvec3();
+    fn solid(&self, from: DVec3, height: f64) -> (SolidRectangle, bool) {
+        let corner = self.flat.at - from;
         let (x, y) = (corner.dot(self.axes[0]), corner.dot(self.axes[1]));
         let [long, wide] = self.size;
         let (along, across) = (x + 0.5 * long, y + 0.5 * wide);
         let distance_2 = along * along + across * across + height * height;
-        if !is_wide(long * long + wide * wide, distance_2) {
-            return Some(None);
-        }
         let solid = SolidRectangle::new([x, x + long], [y, y + wide], height);
-        Some((solid.solid_angle > LEAST).then_some(solid))
+        (solid, is_wide(long * long + wide * wide, distance_2))
     }
 
-    /// A point of it that the site sees. Its front alone is seen, if not `both`.
+    /// A point of it, and whether the site sees it. Its front alone is seen, if not `both`.
+    ///
+    /// Both ways to sample it are gone, and one of them taken: without jumps, so that a loop over it
+    /// becomes vectors.
+    #[inline(always)]
+    pub fn see(&self, (from, both): (&Point, bool), [u, v]: [f64; 2]) -> (Sampled, bool) {
+        let position = from.position.as_dvec3();
+        let (height, is_over) = self.flat.over(from, both);
+        let (solid, is_wide) = self.solid(position, height);
+        let [x, y] = solid.sample([u, v]);
+        let s = if is_wide { (x - solid.x[0]) / self.size[0] } else { u };
+        let t = if is_wide { (y - solid.y[0]) / self.size[1] } else { v };
+        let point = self.point([s, t]);
+        let near = solid.way([x, y], self.axes, self.flat.normal);
+        let far = point.position.as_dvec3() - position;
+        let way = DVec3::select(BVec3::splat(is_wide), near, far);
+        let inverse = 1.0 / way.length();
+        let density = self.flat.density(way);
+        let pdf_w = if is_wide { 1.0 / solid.solid_angle } else { density };
+        let has_angle = !is_wide | (solid.solid_angle > LEAST);
+        let is_there = (inverse > 0.0) & (inverse < f64::INFINITY) & (pdf_w > 0.0);
+        (Sampled { point, wi: way * inverse, pdf_w }, is_over & has_angle & is_there)
+    }
+
+    /// A point of it that the site sees.
     #[inline(always)]
     pub fn sample(&self, (site, both): (&Site, bool), u: [f64; 2]) -> Option<Sampled> {
-        let Some(solid) = self.solid(site, both)? else {
-            return self.flat.sampled(site, self.point(u));
-        };
-        let [x, y] = solid.sample(u);
-        let point = self.point([(x - solid.x[0]) / self.size[0], (y - solid.y[0]) / self.size[1]]);
-        let way = solid.way([x, y], self.axes, self.flat.normal);
-        Some(Sampled { point, wi: way.try_normalize()?, pdf_w: 1.0 / solid.solid_angle })
+        let (sampled, is_seen) = self.see((&site.point, both), u);
+        is_seen.then_some(sampled)
     }
 
     /// Density with which `sample` gives the direction of a point of it.
     pub fn pdf_w(&self, (site, both): (&Site, bool), way: DVec3) -> f64 {
-        match self.solid(site, both) {
-            None => 0.0,
-            Some(None) => self.flat.density(way),
-            Some(Some(solid)) => 1.0 / solid.solid_angle,
+        let Some(height) = self.flat.height(site, both) else { return 0.0 };
+        match self.solid(site.point.position.as_dvec3(), height) {
+            (_, false) => self.flat.density(way),
+            (solid, true) if solid.solid_angle > LEAST => 1.0 / solid.solid_angle,
+            _ => 0.0,
         }
     }
 
@@ -180,7 +195,8 @@ impl Rectangle {
         let [b, c, d] = self.edges;
         // By a choice of numbers, not of ways: no processor foretells which triangle it is.
         let second = s < t;
-        let (facet, edge) = (&self.facets[usize::from(second)], if second { d } else { b });
+        let edge = DVec3::select(BVec3::splat(second), d, b);
+        let facet = self.facets[0].or(&self.facets[1], second);
         facet.point(self.flat.at + s.min(t) * c + (s - t).abs() * edge)
     }
 }

@@ -6,10 +6,10 @@
 
 use std::f32::consts::FRAC_1_PI;
 
-use glam::{DVec2, Vec2, Vec3};
+use glam::{DVec2, Vec3};
 
-use super::{Event, Facing, Scattered};
-use crate::math::{Rgb, random, warp};
+use super::{Event, Facing, Scattered, cosines};
+use crate::math::Rgb;
 use crate::render::textures::Colour;
 
 /// A diffuse surface.
@@ -64,10 +64,12 @@ impl Lambert {
     /// By the cosine to the shading normal; None below the surface, or black.
     #[inline(always)]
     pub(super) fn sample(&self, u: [f64; 2]) -> Option<Scattered> {
-        let u = Vec2::new(random::unit_f32(u[0]), random::unit_f32(u[1]));
-        let local = warp::square_to_cosine(u);
-        let wi = warp::about(self.ns, local);
-        let pdf_w = self.pdf_w(wi);
+        self.along(cosines::about(self.ns, u))
+    }
+
+    /// The same with the direction, and its density.
+    #[inline(always)]
+    pub(super) fn along(&self, (wi, pdf_w): (Vec3, f32)) -> Option<Scattered> {
         (pdf_w > 0.0 && self.faces(wi) && !self.albedo.is_black()).then_some(Scattered {
             wi,
             weight: self.albedo,
@@ -80,8 +82,14 @@ impl Lambert {
     /// cos θ/π.
     #[inline]
     pub(super) fn pdf_w(&self, wi: Vec3) -> f32 {
-        FRAC_1_PI * self.ns.dot(wi).max(0.0)
+        cosine(self.ns, wi)
     }
+}
+
+/// cos θ/π, 0 below the normal.
+#[inline(always)]
+pub(super) fn cosine(normal: Vec3, wi: Vec3) -> f32 {
+    FRAC_1_PI * normal.dot(wi).max(0.0)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 
 use glam::Vec3;
 
-use super::{Bsdf, Event, Facing, Lambert, Material, Part, Scattered, Surface};
+use super::{Bsdf, Cosines, Event, Facing, Lambert, Material, Part, Scattered, Surface};
 use crate::math::Rgb;
 use crate::render::geometry::Hit;
 
@@ -23,6 +23,13 @@ pub trait Matter {
 
     /// What a material is at a hit, seen from `wo`.
     fn at(material: &Material, hit: &Hit, wo: Vec3) -> Self::Bsdf;
+
+    /// Whether all directions are those about the normal by the cosine.
+    const BY_COSINE: bool;
+
+    /// A direction for light to come from, by `u` in [0, 1)⁴; where all are by the cosine, that of a
+    /// lane.
+    fn way(bsdf: &Self::Bsdf, cosines: &Cosines, lane: usize, u: [f64; 4]) -> Option<Scattered>;
 }
 
 /// How the surface at a hit scatters light: see the methods of [`Bsdf`].
@@ -56,6 +63,12 @@ impl Matter for Any {
     fn at(material: &Material, hit: &Hit, wo: Vec3) -> Bsdf {
         material.at(hit, wo)
     }
+
+    const BY_COSINE: bool = false;
+
+    fn way(bsdf: &Bsdf, _: &Cosines, _: usize, u: [f64; 4]) -> Option<Scattered> {
+        bsdf.sample(Part::All, u)
+    }
 }
 
 /// Diffuse surfaces alone.
@@ -75,6 +88,13 @@ impl Matter for OnlyDiffuse {
                 Lambert::black(&facing)
             }
         }
+    }
+
+    const BY_COSINE: bool = true;
+
+    #[inline(always)]
+    fn way(bsdf: &Lambert, cosines: &Cosines, lane: usize, _: [f64; 4]) -> Option<Scattered> {
+        bsdf.along(cosines.at(lane))
     }
 }
 

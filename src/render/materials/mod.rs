@@ -4,6 +4,7 @@
 //! directions point away from the surface. Weights are of radiance that goes from `wi` to `wo`.
 
 mod conductor;
+mod cosines;
 mod dielectric;
 mod diffuse;
 mod facing;
@@ -15,6 +16,7 @@ mod mixture;
 mod tests;
 
 pub use conductor::Conductor;
+pub use cosines::Cosines;
 pub use dielectric::{Dielectric, Interface};
 pub use diffuse::{Diffuse, Lambert};
 pub use matter::{Any, Makeup, Matter, OnlyDiffuse, Scatter};

@@ -2,6 +2,11 @@
 //! dimension). Numbers come in fours, which are spread evenly together: by `sobol` all four, by
 //! `stratified` two and two. Fours among each other are not (padding: an independent shuffle each).
 
+mod fours;
+mod sobol;
+
+pub use fours::Fours;
+
 use serde::{Deserialize, Serialize};
 
 use crate::math::random;
@@ -182,7 +187,7 @@ impl Fan {
                 let point = u64::from(index) * u64::from(self.count) + u64::from(nth);
                 let scramble = random::at(round, self.dimension) as u32;
                 let point = (point < MOST_POINTS).then_some(point as u32)?;
-                Some(sobol_burley::sample_4d(point, 0, scramble).map(f64::from))
+                Some(sobol::four(point, scramble))
             }
             Spread::Strata(strata) => {
                 let bits = random::at(self.own, self.place(nth));

@@ -1,0 +1,281 @@
+//! Lights asked by many sites at once, of which each gets what it would get alone.
+
+use glam::Vec3;
+
+use super::lamp::Lamp;
+use super::rectangle::Rectangle;
+use super::{Arrival, Light, Lights, Point, Ray, Site};
+use crate::math::Rgb;
+use crate::render::geometry::{Geometry, Sheet};
+use crate::render::lanes::{LANES, Row, Rows, by_processor, get, padded, put};
+use crate::render::samplers::Fours;
+
+/// Points that ask for light.
+pub struct Sites {
+    count: usize,
+    position: Rows,
+    error: Rows,
+    ng: Rows,
+    sheet: Row<Sheet>,
+    normal: Rows,
+}
+
+/// Light that arrives at them if nothing is in its way, each from one light: as [`Arrival`]s; black
+/// where none does.
+pub struct Arrivals {
+    wi: Rows,
+    irradiance: Rows,
+    pdf_w: Row,
+    origin: Rows,
+    direction: Rows,
+    t_max: Row,
+    leaves: Row<Sheet>,
+    reaches: Row<Sheet>,
+    /// The probability of the light.
+    pmf: Row,
+}
+
+impl Default for Sites {
+    fn default() -> Self {
+        let rows = [[0.0; LANES]; 3];
+        Self {
+            count: 0,
+            position: rows,
+            error: rows,
+            ng: rows,
+            sheet: [Sheet::NONE; LANES],
+            normal: rows,
+        }
+    }
+}
+
+impl Default for Arrivals {
+    fn default() -> Self {
+        let (row, rows) = ([0.0; LANES], [[0.0; LANES]; 3]);
+        Self {
+            wi: rows,
+            irradiance: rows,
+            pdf_w: row,
+            origin: rows,
+            direction: rows,
+            t_max: row,
+            leaves: [Sheet::NONE; LANES],
+            reaches: [Sheet::NONE; LANES],
+            pmf: row,
+        }
+    }
+}
+
+impl Sites {
+    /// Forgets them.
+    pub fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// One more; [`LANES`] at most.
+    #[inline(always)]
+    pub fn push(&mut self, site: &Site) {
+        put(&mut self.position, self.count, site.point.position);
+        put(&mut self.error, self.count, site.point.error);
+        put(&mut self.ng, self.count, site.point.ng);
+        self.sheet[self.count] = site.point.sheet;
+        put(&mut self.normal, self.count, site.normal);
+        self.count += 1;
+    }
+
+    /// Their normals, as sites have them.
+    pub fn normals(&self) -> &Rows {
+        &self.normal
+    }
+
+    #[inline(always)]
+    fn point(&self, lane: usize) -> Point {
+        let (position, error) = (get(&self.position, lane), get(&self.error, lane));
+        Point { position, error, ng: get(&self.ng, lane), sheet: self.sheet[lane] }
+    }
+
+    #[inline(always)]
+    fn at(&self, lane: usize) -> Site {
+        Site { point: self.point(lane), normal: get(&self.normal, lane) }
+    }
+}
+
+impl Arrivals {
+    /// Where light comes from to the site of a lane: unit length.
+    #[inline(always)]
+    pub fn wi(&self, lane: usize) -> Vec3 {
+        get(&self.wi, lane)
+    }
+
+    /// The irradiance; black: nothing arrives.
+    #[inline(always)]
+    pub fn irradiance(&self, lane: usize) -> Rgb {
+        let [r, g, b] = get(&self.irradiance, lane).to_array();
+        Rgb::new(r, g, b)
+    }
+
+    /// The density of its direction, and the probability of its light.
+    #[inline(always)]
+    pub fn density(&self, lane: usize) -> (f32, f32) {
+        (self.pdf_w[lane], self.pmf[lane])
+    }
+
+    /// The ray that meets what is in the way.
+    #[inline(always)]
+    pub fn shadow(&self, lane: usize) -> Ray {
+        Ray {
+            origin: get(&self.origin, lane),
+            direction: get(&self.direction, lane),
+            t_max: self.t_max[lane],
+            leaves: self.leaves[lane],
+            reaches: self.reaches[lane],
+        }
+    }
+
+    #[inline(always)]
+    fn put(&mut self, lane: usize, arrival: &Arrival) {
+        put(&mut self.wi, lane, arrival.wi);
+        put(&mut self.irradiance, lane, Vec3::from_array(arrival.irradiance.to_array()));
+        self.pdf_w[lane] = arrival.pdf_w;
+        put(&mut self.origin, lane, arrival.shadow.origin);
+        put(&mut self.direction, lane, arrival.shadow.direction);
+        self.t_max[lane] = arrival.shadow.t_max;
+        self.leaves[lane] = arrival.shadow.leaves;
+        self.reaches[lane] = arrival.shadow.reaches;
+    }
+}
+
+impl Lights {
+    /// For each site, light from one point of a light, both chosen by its four numbers.
+    pub fn sample_all(
+        &self,
+        geometry: &Geometry,
+        sites: &Sites,
+        fours: &Fours,
+        arrivals: &mut Arrivals,
+    ) {
+        if let [Light::Lamp(lamp)] = self.all.as_slice()
+            && let Some(rectangle) = lamp.rectangle()
+        {
+            arrivals.pmf = [1.0; LANES];
+            from_rectangle(rectangle, lamp, sites, fours.rows(), arrivals);
+            return;
+        }
+        for lane in 0..sites.count {
+            let (site, u) = (sites.at(lane), fours.at(lane));
+            let chosen = self.choose(&site, u[2]);
+            let arrival = chosen.and_then(|(number, pmf)| {
+                arrivals.pmf[lane] = pmf;
+                self.all[number].sample(geometry, &site, [u[0], u[1]])
+            });
+            match arrival {
+                Some(arrival) => arrivals.put(lane, &arrival),
+                None => put(&mut arrivals.irradiance, lane, Vec3::ZERO),
+            }
+        }
+    }
+}
+
+by_processor! {
+    /// Light of a lamp that is one rectangle.
+    #[inline(never)]
+    fn from_rectangle(
+        rectangle: &Rectangle,
+        lamp: &Lamp,
+        sites: &Sites,
+        u: &[Row<f64>; 4],
+        arrivals: &mut Arrivals,
+    ) {
+        for lane in 0..padded(sites.count) {
+            let from = sites.point(lane);
+            let u = [u[0][lane], u[1][lane]];
+            let (sampled, is_seen) = rectangle.see((&from, lamp.both()), u);
+            let arrival = lamp.arrival(&from, &sampled, 1.0);
+            let irradiance = Rgb::new(
+                if is_seen { arrival.irradiance.r } else { 0.0 },
+                if is_seen { arrival.irradiance.g } else { 0.0 },
+                if is_seen { arrival.irradiance.b } else { 0.0 },
+            );
+            arrivals.put(lane, &Arrival { irradiance, ..arrival });
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::super::{Centre, Lamp};
+    use super::*;
+    use crate::math::random;
+    use crate::render::geometry::{Owner, Shapes};
+    use crate::render::samplers::Sampler;
+
+    /// A square lamp of this size over the origin, which faces down.
+    fn lamp(size: f32, both: bool) -> (Geometry, Light) {
+        let mut shapes = Shapes::new();
+        let corner = |x: f32, z: f32| Vec3::new(x, 1.0, z) * Vec3::new(size, 1.0, size);
+        let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        let corners = corners.map(|corner| shapes.vertex(corner));
+        let surfaces = shapes.quad(corners, Owner::default()).to_vec();
+        let geometry = Geometry::build(shapes);
+        let centre = Centre::new(DVec3::Y, DVec3::NEG_Y, DVec3::ONE);
+        let lamp = Lamp::new((Rgb::new(1.0, 2.0, 3.0), both), surfaces, &geometry, centre);
+        (geometry, Light::Lamp(Box::new(lamp)))
+    }
+
+    /// On surfaces of all kinds of slopes, some of them in the plane of the lamp.
+    fn site(place: u64) -> Site {
+        let three = |from: u64| {
+            let [x, y] = random::unit_pair(random::at(31, 10 * place + from));
+            let [z, _] = random::unit_pair(random::at(32, 10 * place + from));
+            2.0 * Vec3::new(x as f32, y as f32, z as f32) - 1.0
+        };
+        let (mut position, ng) = (2.0 * three(0), three(1).normalize());
+        if place.is_multiple_of(7) {
+            position.y = 1.0;
+        }
+        let error = 1e-6 * three(2).abs();
+        let point = Point { position, error, ng, ..Point::free(Vec3::ZERO) };
+        Site { point, normal: ng }
+    }
+
+    #[test]
+    fn those_who_ask_together_get_what_each_would_get_alone() {
+        for (size, both, count) in
+            [(0.5, false, 1), (0.01, true, 1), (3.0, false, 1), (0.5, true, 2)]
+        {
+            let (geometry, light) = lamp(size, both);
+            let lights = Lights::new(vec![light; count], Vec::new(), Vec::new());
+            let (mut sites, mut fours) = (Sites::default(), Fours::default());
+            let mut arrivals = Arrivals::default();
+            for wave in 0..40 {
+                // Of every length: what is left over of vectors, too.
+                let lanes = 1 + wave as usize * 13 % LANES;
+                sites.clear();
+                fours.clear();
+                for lane in 0..lanes as u64 {
+                    sites.push(&site(100 * wave + lane));
+                    fours.push(&mut Sampler::Independent.stream(3, wave, lane));
+                }
+                fours.draw();
+                lights.sample_all(&geometry, &sites, &fours, &mut arrivals);
+                for lane in 0..lanes {
+                    let (site, u) = (site(100 * wave + lane as u64), fours.at(lane));
+                    let alone = lights.choose(&site, u[2]).and_then(|(number, pmf)| {
+                        let arrival = lights.all[number].sample(&geometry, &site, [u[0], u[1]])?;
+                        Some((arrival, pmf))
+                    });
+                    let Some((alone, pmf)) = alone else {
+                        assert!(arrivals.irradiance(lane).is_black());
+                        continue;
+                    };
+                    assert_eq!(arrivals.irradiance(lane), alone.irradiance);
+                    assert_eq!(arrivals.wi(lane), alone.wi);
+                    assert_eq!(arrivals.density(lane), (alone.pdf_w, pmf));
+                    assert_eq!(arrivals.shadow(lane), alone.shadow);
+                }
+            }
+        }
+    }
+}
