@@ -126,6 +126,16 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
+    fn fetch<T>(self, many: &[T], number: usize) {
+        const LINE: usize = 64;
+        // Where there is none, nothing is read: an address alone does no harm.
+        let one = many.as_ptr().wrapping_add(number).cast::<i8>();
+        for line in 0..size_of::<T>().div_ceil(LINE) {
+            run!(_mm_prefetch::<_MM_HINT_T0>(one.wrapping_add(line * LINE)));
+        }
+    }
+
+    #[inline(always)]
     fn turned(self, a: Vec3A, turn: &Turn) -> Vec3A {
         let order = run!(_mm_loadu_si128(turn.order().as_ptr().cast()));
         run!(_mm_permutevar_ps(a.into(), order)).into()

@@ -155,6 +155,11 @@ impl<L: Lanes, const ANY: bool> Ends<L> for Outside<'_, L, ANY> {
     }
 
     #[inline(always)]
+    fn blocks(&self) -> &[Block] {
+        &[]
+    }
+
+    #[inline(always)]
     fn limit(&self) -> f32 {
         self.first.t
     }
@@ -266,6 +271,11 @@ impl<L: Lanes, const ANY: bool> Ends<L> for Inside<'_, L, ANY> {
     #[inline(always)]
     fn slabs(&self) -> &Slabs<L> {
         &self.slabs
+    }
+
+    #[inline(always)]
+    fn blocks(&self) -> &[Block] {
+        &self.template.blocks
     }
 
     #[inline(always)]

@@ -54,6 +54,9 @@ pub(super) trait Lanes: Copy {
     /// A bit for each lane where a ≤ b.
     fn at_most(self, a: Self::Eight, b: Self::Eight) -> u32;
 
+    /// Asks memory for one of many, if there is such a one.
+    fn fetch<T>(self, many: &[T], number: usize);
+
     /// Coordinates in another order.
     fn turned(self, a: Vec3A, turn: &Turn) -> Vec3A;
 
@@ -198,6 +201,10 @@ impl Lanes for Portable {
     fn at_most(self, a: Pair, b: Pair) -> u32 {
         a[0].cmple(b[0]).bitmask() | a[1].cmple(b[1]).bitmask() << 4
     }
+
+    /// Nothing that every processor has.
+    #[inline(always)]
+    fn fetch<T>(self, _: &[T], _: usize) {}
 
     #[inline(always)]
     fn turned(self, a: Vec3A, turn: &Turn) -> Vec3A {

@@ -13,9 +13,9 @@ use std::mem::MaybeUninit;
 use glam::Vec3A;
 
 use super::best::{self, Best};
-use super::block::Bounded;
+use super::block::{Block, Bounded};
 use super::lanes::{LANES, Lanes, NONE_LEFT, Task, sixteen};
-use super::node::{Below, Node, Side};
+use super::node::{Below, Child, Node, Side};
 use super::ray::{Axis, Probe};
 use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
@@ -45,6 +45,9 @@ pub(super) trait Ends<L: Lanes> {
     /// The ray.
     fn slabs(&self) -> &Slabs<L>;
 
+    /// All blocks of the tree.
+    fn blocks(&self) -> &[Block];
+
     /// Boxes that are entered after this need not be looked into.
     fn limit(&self) -> f32;
 
@@ -68,6 +71,11 @@ impl<L: Lanes, const ANY: bool> Ends<L> for World<'_, L, ANY> {
     #[inline(always)]
     fn slabs(&self) -> &Slabs<L> {
         &self.slabs
+    }
+
+    #[inline(always)]
+    fn blocks(&self) -> &[Block] {
+        &self.tree.blocks
     }
 
     #[inline(always)]
@@ -104,6 +112,16 @@ pub(super) fn descend<L: Lanes, const ANY: bool, E: Ends<L>>(
     if ANY { any(lanes, nodes, ends) } else { first(lanes, nodes, ends) }
 }
 
+/// Asks memory for a child that is to be looked into later.
+#[inline(always)]
+fn fetch<L: Lanes>(lanes: L, nodes: &[Node], blocks: &[Block], child: Child) {
+    match child.below() {
+        Below::Node(number) => lanes.fetch(nodes, number),
+        Below::Block(number) => lanes.fetch(blocks, number),
+        Below::Round(_) => {}
+    }
+}
+
 /// Nearest boxes first.
 #[inline(always)]
 fn first<L: Lanes, E: Ends<L>>(lanes: L, nodes: &[Node], ends: &mut E) -> bool {
@@ -128,7 +146,9 @@ fn first<L: Lanes, E: Ends<L>>(lanes: L, nodes: &[Node], ends: &mut E) -> bool {
         let done = match node.children[lane].below() {
             Below::Node(number) => {
                 stack[waiting] = MaybeUninit::new((queue, node));
-                waiting += usize::from(lanes.first(queue).0 != NONE_LEFT);
+                let (after, second) = lanes.first(queue);
+                waiting += usize::from(after != NONE_LEFT);
+                fetch(lanes, nodes, ends.blocks(), node.children[second]);
                 node = &nodes[number];
                 queue = ends.slabs().queue(lanes, node, limit);
                 continue;
@@ -167,6 +187,8 @@ fn any<L: Lanes, E: Ends<L>>(lanes: L, nodes: &[Node], ends: &mut E) -> bool {
             Below::Node(number) => {
                 stack[waiting] = MaybeUninit::new((met, node));
                 waiting += usize::from(met != 0);
+                let second = (met | 1).ilog2() as usize % LANES;
+                fetch(lanes, nodes, ends.blocks(), node.children[second]);
                 node = &nodes[number];
                 met = ends.slabs().met(lanes, node, limit);
                 continue;
