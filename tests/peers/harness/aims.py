@@ -17,7 +17,7 @@ def of_rays(data):
         for kind in data["rays"].get(name, {}).get("sets", []):
             least = 1.4 if kind["set"] in ("primary", "shadow") else 1.3
             yield (f"{name}, {kind['set']} rays a second, × Embree's",
-                   least, True, ratio(kind["programs"], "embree"))
+                   least, True, ratio(kind["programs"], "embree", "scn meet"))
 
 
 def of_renders(data):

@@ -46,7 +46,7 @@ def rows(data, scene):
     return [Row(data, scene, program) for program in data["renders"][scene]["runs"]]
 
 
-def ratio(programs, other):
+def ratio(programs, other, ours="scn"):
     """Median over the turns of scn's rays a second over another program's."""
-    turns = zip(programs["scn"]["seconds"], programs[other]["seconds"])
+    turns = zip(programs[ours]["seconds"], programs[other]["seconds"])
     return median(theirs / ours for ours, theirs in turns)

@@ -41,6 +41,8 @@ unsafe extern "C" {
 /// Who traces.
 enum Program<'a> {
     Scn(&'a Geometry),
+    /// What is met and where alone, as Embree tells.
+    ScnMeet(&'a Geometry),
     /// By streams of [`STREAM`] rays.
     ScnStreams(&'a Geometry),
     Embree(*mut c_void),
@@ -70,12 +72,16 @@ impl Program<'_> {
     fn hits(&self, set: &Set, plain: &[Plain]) -> usize {
         let mut sum = 0.0;
         let hits = match self {
-            Self::Scn(geometry) if set.any => {
+            Self::Scn(geometry) | Self::ScnMeet(geometry) if set.any => {
                 set.rays.iter().filter(|ray| geometry.occluded(ray)).count()
             }
             Self::Scn(geometry) => {
                 let met = set.rays.iter().filter_map(|ray| geometry.closest(ray));
                 met.inspect(|hit| sum += f64::from(hit.t + hit.ng.x)).count()
+            }
+            Self::ScnMeet(geometry) => {
+                let met = set.rays.iter().filter_map(|ray| geometry.meet(ray));
+                met.inspect(|meeting| sum += f64::from(meeting.t)).count()
             }
             Self::ScnStreams(geometry) if set.any => {
                 let mut occluded = [false; STREAM];
@@ -140,6 +146,7 @@ fn main() -> ExitCode {
     let [fast, robust] = [false, true].map(|robust| Program::build(&triangles, robust));
     let programs = [
         ("scn", Program::Scn(&geometry)),
+        ("scn meet", Program::ScnMeet(&geometry)),
         ("scn streams", Program::ScnStreams(&geometry)),
         ("embree", Program::Embree(fast)),
         ("embree packets", Program::EmbreePackets(fast)),
