@@ -1,11 +1,11 @@
 //! `scn man` and `scn completions`: what is known of the options, for `man` and for shells.
 
-use crate::diag::near;
-use crate::diag::words::did_you_mean;
 use clap::CommandFactory;
 
 use super::options::{Completions, Man, Options};
 use super::{End, terminal};
+use crate::diag::near;
+use crate::diag::words::did_you_mean;
 
 /// A page for `man`.
 pub fn page(options: &Man) -> End {

@@ -1,7 +1,5 @@
 //! `scn render`: read, check everything, then render one scene at a time.
 
-use crate::cli::words::NAMES;
-use crate::diag::words::few;
 use std::collections::HashSet;
 use std::path::PathBuf;
 
@@ -15,6 +13,8 @@ use super::options::{Form, Render};
 use super::output::Output;
 use super::replay::{self, Replay};
 use super::{End, bias, check, failed, scene_file, stop, terminal};
+use crate::cli::words::NAMES;
+use crate::diag::words::few;
 use crate::diag::{self, Diagnostic, Level, Sources};
 use crate::files::hold::Held;
 use crate::load::{Loader, Stage};

@@ -1,13 +1,13 @@
 //! From the scene file's name to its renders, with the texts it imports.
 
-use crate::cli::words::NAMES;
-use crate::diag::near;
-use crate::diag::words::{did_you_mean, few};
 use std::path::{Path, PathBuf};
 
 use super::log::shown;
-use super::terminal;
-use crate::diag::Sources;
+use super::{End, terminal};
+use crate::cli::words::NAMES;
+use crate::diag::near;
+use crate::diag::words::{did_you_mean, few};
+use crate::diag::{self, Diagnostic, Level, Sources};
 use crate::files;
 use crate::lang::{self, Compiled, Library};
 
@@ -70,6 +70,17 @@ pub fn chosen(
     }
     let wanted = |render: &lang::Render| only.is_empty() || only.contains(&render.name.value);
     Ok(renders.into_iter().filter(wanted).collect())
+}
+
+/// Tells errors; warnings are `scn lint`'s.
+pub fn no_errors(found: Vec<Diagnostic>, sources: &Sources, scene: &str) -> Result<(), End> {
+    let errors: Vec<_> = found.into_iter().filter(|fault| fault.level == Level::Error).collect();
+    if errors.is_empty() {
+        return Ok(());
+    }
+    let errors = diag::in_order(errors, sources);
+    terminal::tell(&diag::print::report(&errors, sources, scene, terminal::stderr_look()));
+    Err(End::SceneErrors)
 }
 
 /// Why a scene file could not be read, with what was probably meant.

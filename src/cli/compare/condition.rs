@@ -1,9 +1,9 @@
 //! A condition such as `relmse > 0.01`.
 
-use crate::diag::near;
-use crate::diag::words::did_you_mean;
 use std::fmt;
 
+use crate::diag::near;
+use crate::diag::words::did_you_mean;
 use crate::measure::{METRICS, Metric};
 
 /// A metric held against a number.

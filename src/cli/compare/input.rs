@@ -1,10 +1,10 @@
 //! A picture read from a file, with what the file says of it.
 
-use crate::cli::words::NAMES;
-use crate::diag::words::few;
 use std::path::{Path, PathBuf};
 
 use super::Refusal;
+use crate::cli::words::NAMES;
+use crate::diag::words::few;
 use crate::files::{self, Metadata};
 use crate::math::Picture;
 use crate::measure::{Pair, Unpaired};

@@ -18,7 +18,7 @@ use super::clock::Clock;
 use super::log::shown;
 use super::options::Form;
 use super::{End, failed, scene_file, terminal, whose};
-use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
+use crate::diag::{Sources, harmless_text};
 use crate::files::{self, Failure, Metadata};
 use crate::load::{Loader, Stage};
 use crate::math::{Lines, NoProgress, Picture};
@@ -51,7 +51,7 @@ fn paths(options: &Paths) -> Result<(), End> {
     }
     let (prepared, found) = prepare::prepare(&stage, &settings, &NoProgress);
     let Some(prepared) = prepared else {
-        check(found, &sources, &scene)?;
+        scene_file::no_errors(found, &sources, &scene)?;
         return Err(End::SceneErrors);
     };
     let ([x, y], [width, height]) = (options.pixel, prepared.world.film.size);
@@ -122,7 +122,7 @@ fn stage(options: &Paths, sources: &mut Sources) -> Result<(String, Stage), End>
     let only: Vec<String> = options.render.iter().cloned().collect();
     let compiled =
         scene_file::compile(&options.file, &options.set, &only, sources).ok_or(End::NotDone)?;
-    check(compiled.diagnostics, sources, &scene)?;
+    scene_file::no_errors(compiled.diagnostics, sources, &scene)?;
     let chosen = scene_file::chosen(compiled.renders, &compiled.setups, &only, &options.file);
     let mut renders = chosen.map_err(|text| failed(&text))?;
     if renders.len() > 1 {
@@ -140,19 +140,8 @@ fn stage(options: &Paths, sources: &mut Sources) -> Result<(String, Stage), End>
         let faults = prepare::check(stage, &settings(options));
         found.extend(whose::told(vec![(name.clone(), faults)]));
     }
-    check(found, sources, &scene)?;
+    scene_file::no_errors(found, sources, &scene)?;
     stage.map(|stage| (name, stage)).ok_or(End::SceneErrors)
-}
-
-/// Tells errors; warnings are `scn lint`'s.
-fn check(found: Vec<Diagnostic>, sources: &Sources, scene: &str) -> Result<(), End> {
-    let errors: Vec<_> = found.into_iter().filter(|fault| fault.level == Level::Error).collect();
-    if errors.is_empty() {
-        return Ok(());
-    }
-    let errors = diag::in_order(errors, sources);
-    terminal::tell(&diag::print::report(&errors, sources, scene, terminal::stderr_look()));
-    Err(End::SceneErrors)
 }
 
 /// What the lines are drawn over: the picture given, or a rough one.

@@ -83,14 +83,9 @@ fn pixel(text: &str) -> Result<[u64; 2], String> {
 }
 
 fn samples(text: &str) -> Result<u64, String> {
-    bounded(text, 1, MOST_SAMPLES)
+    options::whole(text, 1, MOST_SAMPLES)
 }
 
 fn drawn(text: &str) -> Result<u64, String> {
-    bounded(text, 0, MOST_LINES)
-}
-
-fn bounded(text: &str, least: u64, most: u64) -> Result<u64, String> {
-    let number = text.parse().ok().filter(|number| (least..=most).contains(number));
-    number.ok_or_else(|| format!("write a whole number from {least} to {most}"))
+    options::whole(text, 0, MOST_LINES)
 }

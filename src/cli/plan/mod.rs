@@ -16,7 +16,7 @@ use super::log::shown;
 use super::options::Form;
 use super::{End, failed, limits, scene_file, terminal, whose};
 use crate::diag::words::counted;
-use crate::diag::{self, Diagnostic, Level, Sources, harmless_text};
+use crate::diag::{Sources, harmless_text};
 use crate::files;
 use crate::load::{Loader, Stage};
 use crate::math::{NoProgress, Rgb};
@@ -129,7 +129,7 @@ fn plan(options: &Plan) -> Result<(), End> {
     let scene = shown(&options.file);
     let compiled = scene_file::compile(&options.file, &options.set, &options.only, &mut sources)
         .ok_or(End::NotDone)?;
-    check(compiled.diagnostics, &sources, &scene)?;
+    scene_file::no_errors(compiled.diagnostics, &sources, &scene)?;
     let renders =
         scene_file::chosen(compiled.renders, &compiled.setups, &options.only, &options.file)
             .map_err(|text| failed(&text))?;
@@ -149,7 +149,7 @@ fn plan(options: &Plan) -> Result<(), End> {
         }
     }
     found.extend(whose::told(faults));
-    check(found, &sources, &scene)?;
+    scene_file::no_errors(found, &sources, &scene)?;
     if let Some((name, unfit)) =
         stages.iter().find_map(|(name, stage)| Some((name, settings.unfit(stage)?)))
     {
@@ -174,17 +174,6 @@ fn plan(options: &Plan) -> Result<(), End> {
     Ok(())
 }
 
-/// Tells errors; warnings are `scn lint`'s.
-fn check(found: Vec<Diagnostic>, sources: &Sources, scene: &str) -> Result<(), End> {
-    let errors: Vec<_> = found.into_iter().filter(|fault| fault.level == Level::Error).collect();
-    if errors.is_empty() {
-        return Ok(());
-    }
-    let errors = diag::in_order(errors, sources);
-    terminal::tell(&diag::print::report(&errors, sources, scene, terminal::stderr_look()));
-    Err(End::SceneErrors)
-}
-
 fn one(
     name: &str,
     stage: &Stage,
@@ -195,7 +184,7 @@ fn one(
     let plan = bias::plan(stage, options.force);
     let (prepared, found) = prepare::prepare_by(&plan, stage, settings, &NoProgress);
     let Some(mut prepared) = prepared else {
-        check(found, sources, &shown(&options.file))?;
+        scene_file::no_errors(found, sources, &shown(&options.file))?;
         return Err(End::SceneErrors);
     };
     // The pilot run takes sums of its own, which are no part of the render.

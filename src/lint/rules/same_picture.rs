@@ -1,11 +1,11 @@
 //! Two renders of one file that show the same, pixel for pixel, whatever their captions say: a
 //! difference was forgotten, or changes nothing.
 
-use crate::diag::words::few;
-use crate::lint::NAMES;
 use std::collections::HashMap;
 
+use crate::diag::words::few;
 use crate::diag::{Code, Diagnostic};
+use crate::lint::NAMES;
 use crate::lint::Shot;
 use crate::scene::{At, Scene, Text};
 
