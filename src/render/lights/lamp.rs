@@ -104,6 +104,7 @@ impl Lamp {
     }
 
     /// Whether the backs shine as well.
+    #[inline]
     pub(super) fn both(&self) -> bool {
         self.both
     }

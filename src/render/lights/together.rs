@@ -186,10 +186,11 @@ by_processor! {
         u: &[Row<f64>; 4],
         arrivals: &mut Arrivals,
     ) {
+        let both = lamp.both();
         for lane in 0..padded(sites.count) {
             let from = sites.point(lane);
             let u = [u[0][lane], u[1][lane]];
-            let (sampled, is_seen) = rectangle.see((&from, lamp.both()), u);
+            let (sampled, is_seen) = rectangle.see((&from, both), u);
             let arrival = lamp.arrival(&from, &sampled, 1.0);
             let irradiance = Rgb::new(
                 if is_seen { arrival.irradiance.r } else { 0.0 },
