@@ -148,7 +148,7 @@ fn stream_diffuse(bencher: Bencher, of: &str) {
 fn stream_shadow(bencher: Bencher, of: &str) {
     let scene = scene(of);
     let (geometry, rays) = (&scene.geometry[0], &scene.shadow);
-    let mut occluded = vec![false; STREAM];
+    let mut occluded = [false; STREAM];
     bencher.counter(ItemsCount::new(rays.len())).bench_local(|| {
         for rays in rays.chunks(STREAM) {
             let occluded = &mut occluded[..rays.len()];

@@ -3,12 +3,12 @@
 //!
 //! Where a leaf's box is missed by all, so are its triangles. Else f32 tells of each triangle which
 //! rays certainly miss it, and which certainly meet it before whatever they met so far ([`Plate`]).
-//! What remains is noted and decided in f64 at the end, by the same operations as for single rays:
-//! mostly of the surface that a ray leaves.
+//! What remains is noted and decided in f64 at the end, by the same operations as for single rays.
 
 use super::best::{Meeting, Place};
 use super::block::Block;
 use super::crowd::Crowd;
+use super::doubts::Doubts;
 use super::lanes::{LANES, Portable};
 use super::node::Below;
 use super::packet::{NONE, Packet, parameter};
@@ -17,17 +17,14 @@ use super::ray::{Probe, Ray};
 use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
 use super::triangle::Face;
-use super::wide::{Job, MOST, Numbers, Row, Wide, ones};
+use super::wide::{MOST, Numbers, Row, Wide, ones};
 use super::{Geometry, disk, plane, sphere};
 
 /// More triangles than this are better met by way of the tree.
-const MOST_TRIANGLES: usize = 128;
+pub(super) const MOST_TRIANGLES: usize = 128;
 
 /// More planes, spheres and disks likewise: each is met by one ray after the other.
 const MOST_ROUND: usize = 4;
-
-/// A packet of fewer rays than this is not worth its while.
-const LONELY: usize = 4;
 
 /// No triangle.
 const NOTHING: u32 = u32::MAX;
@@ -41,7 +38,7 @@ pub(super) struct Few {
     /// Planes, spheres and disks.
     round: Vec<Primitive>,
     /// Whether there is nothing else: no round shapes, no instances.
-    alone: bool,
+    pub alone: bool,
 }
 
 /// A leaf of the tree: its box, and its plates.
@@ -58,39 +55,6 @@ struct Exact {
     corner: [f64; 3],
     primitive: Primitive,
     place: u32,
-}
-
-/// Rays that are not sure about a triangle.
-#[derive(Clone, Copy)]
-struct Doubt {
-    plate: u16,
-    /// A bit for each of these rays.
-    rays: u16,
-    /// A bit for each that is known to pass inside of the edges.
-    inside: u16,
-}
-
-/// Doubts of a packet, in the order in which they came.
-struct Doubts {
-    all: [Doubt; MOST_TRIANGLES],
-    count: usize,
-}
-
-impl Doubts {
-    const NONE: Self =
-        Self { all: [Doubt { plate: 0, rays: 0, inside: 0 }; MOST_TRIANGLES], count: 0 };
-
-    #[inline(always)]
-    fn note(&mut self, plate: usize, rays: u32, inside: u32) {
-        let doubt = Doubt { plate: plate as u16, rays: rays as u16, inside: inside as u16 };
-        self.all[self.count % MOST_TRIANGLES] = doubt;
-        self.count += usize::from(rays != 0);
-    }
-
-    /// Those that may concern some of the rays.
-    fn of(&self) -> &[Doubt] {
-        &self.all[..self.count.min(MOST_TRIANGLES)]
-    }
 }
 
 impl Few {
@@ -149,19 +113,19 @@ impl Few {
 }
 
 /// What the rays of a packet meet first.
-struct Found {
+pub(super) struct Found {
     t: Row,
     primitive: [u32; MOST],
     place: [u32; MOST],
     /// A bit for each ray that meets something.
     met: u32,
     /// A bit for each ray that was asked: others are to be asked alone.
-    asked: u32,
+    pub asked: u32,
 }
 
 impl Found {
     #[inline(always)]
-    fn meeting(&self, lane: usize) -> Option<Meeting> {
+    pub fn meeting(&self, lane: usize) -> Option<Meeting> {
         let bit = lane % MOST;
         let primitive = Primitive::from_bits(self.primitive[bit]);
         let meeting = Meeting { t: self.t.0[bit], primitive, place: Place::Tree(self.place[bit]) };
@@ -178,86 +142,10 @@ struct First {
     plate: Row,
 }
 
-/// [`Geometry::meet_all`].
-pub(super) struct MeetAll<'a> {
-    pub geometry: &'a Geometry,
-    pub few: &'a Few,
-    pub rays: &'a [Ray],
-    pub met: &'a mut [Option<Meeting>],
-}
-
-impl Job for MeetAll<'_> {
-    #[inline(always)]
-    fn run<W: Wide>(self, wide: W) {
-        let Self { geometry, few, rays, met } = self;
-        let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
-        for (rays, met) in rays.chunks(W::WIDTH).zip(met.chunks_mut(W::WIDTH)) {
-            if rays.len() < LONELY {
-                for (ray, met) in rays.iter().zip(met) {
-                    *met = geometry.meet(ray);
-                }
-                continue;
-            }
-            packet.fill::<W>(rays);
-            let found = few.first(wide, geometry, &packet, &mut doubts);
-            // Two loops: an answer that comes from elsewhere would be copied by way of memory, and so
-            // would all others.
-            for (lane, met) in met.iter_mut().enumerate() {
-                *met = found.meeting(lane);
-            }
-            for lane in ones(!found.asked & ((1 << rays.len()) - 1)) {
-                met[lane] = geometry.meet(&rays[lane]);
-            }
-            if !few.alone {
-                for lane in ones(found.asked) {
-                    met[lane] = few.among_others(geometry, &rays[lane], met[lane]);
-                }
-            }
-        }
-    }
-}
-
-/// [`Geometry::occluded_all`].
-pub(super) struct OccludedAll<'a> {
-    pub geometry: &'a Geometry,
-    pub few: &'a Few,
-    pub rays: &'a [Ray],
-    pub occluded: &'a mut [bool],
-}
-
-impl Job for OccludedAll<'_> {
-    #[inline(always)]
-    fn run<W: Wide>(self, wide: W) {
-        let Self { geometry, few, rays, occluded } = self;
-        let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
-        for (rays, occluded) in rays.chunks(W::WIDTH).zip(occluded.chunks_mut(W::WIDTH)) {
-            if rays.len() < LONELY {
-                for (ray, occluded) in rays.iter().zip(occluded) {
-                    *occluded = geometry.occluded(ray);
-                }
-                continue;
-            }
-            packet.fill::<W>(rays);
-            let (any, asked) = few.any(wide, geometry, &packet, &mut doubts);
-            for (lane, occluded) in occluded.iter_mut().enumerate() {
-                *occluded = any & 1 << lane != 0;
-            }
-            for lane in ones(!asked & ((1 << rays.len()) - 1)) {
-                occluded[lane] = geometry.occluded(&rays[lane]);
-            }
-            if !few.alone {
-                for lane in ones(asked & !any) {
-                    occluded[lane] = few.others_occlude(geometry, &rays[lane]);
-                }
-            }
-        }
-    }
-}
-
 impl Few {
     /// What the rays of a packet meet first, the parameters exact.
     #[inline(always)]
-    fn first<W: Wide>(
+    pub fn first<W: Wide>(
         &self,
         wide: W,
         geometry: &Geometry,
@@ -399,7 +287,7 @@ impl Few {
 
     /// What a ray meets first, with what is no triangle.
     #[inline(never)]
-    fn among_others(
+    pub fn among_others(
         &self,
         geometry: &Geometry,
         ray: &Ray,
@@ -423,7 +311,7 @@ impl Few {
 
     /// Whether a ray meets anything that is no triangle.
     #[inline(never)]
-    fn others_occlude(&self, geometry: &Geometry, ray: &Ray) -> bool {
+    pub fn others_occlude(&self, geometry: &Geometry, ray: &Ray) -> bool {
         let mut any = false;
         self.ask_round(geometry, ray, |t, _| any |= t < ray.t_max);
         let walker = geometry.tree.walker;
@@ -449,7 +337,7 @@ impl Few {
 
     /// A bit for each ray of a packet that meets any triangle; and one for each that was asked.
     #[inline(always)]
-    fn any<W: Wide>(
+    pub fn any<W: Wide>(
         &self,
         wide: W,
         geometry: &Geometry,

@@ -9,7 +9,7 @@ use glam::{DVec2, Vec2, Vec3};
 use super::Geometry;
 use super::best::{Meeting, Place};
 use super::lanes::LANES;
-use super::ray::{Hit, Ray, Sheet};
+use super::ray::{Hit, Ray, Sheet, Turn};
 use super::rounding;
 use super::triangle;
 use super::wide::{Job, MOST, Wide, ones};
@@ -94,11 +94,10 @@ impl Faces {
     #[inline(always)]
     fn take(&mut self, geometry: &Geometry, lane: usize, ray: &Ray, place: usize) {
         let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
-        let first = super::ray::Turn::of(ray.direction.abs().into()).axes()[0];
-        self.turns[lane] = first as u8;
+        let order = Turn::of(ray.direction.abs().into()).axes();
+        self.turns[lane] = order[0] as u8;
         let block = &geometry.tree.blocks[place / LANES];
-        for k in 0..3 {
-            let axis = (first + k) % 3;
+        for (k, axis) in order.into_iter().enumerate() {
             self.origin[k][lane] = o[axis];
             self.direction[k][lane] = d[axis];
             let corners = block.coordinates(axis, place % LANES);

@@ -14,6 +14,7 @@ mod build;
 mod coordinates;
 mod crowd;
 mod disk;
+mod doubts;
 mod few;
 mod hits;
 mod instance;

@@ -4,11 +4,13 @@
 //! whatever order; so a stream may be cut anywhere.
 
 use super::ask::Walker;
-use super::few::{MeetAll, OccludedAll};
+use super::doubts::Doubts;
+use super::few::Few;
 use super::hits::HitAll;
+use super::packet::Packet;
 #[cfg(target_arch = "x86_64")]
 use super::wide::Avx512;
-use super::wide::{Job, Wide};
+use super::wide::{Job, Wide, ones};
 use super::{Geometry, Hit, Meeting, Ray};
 
 impl Geometry {
@@ -54,6 +56,85 @@ impl Geometry {
                 Some(wide) => wide.apart(job),
                 None => wide.apart(job),
             },
+        }
+    }
+}
+
+/// A packet of fewer rays than this is not worth its while.
+const LONELY: usize = 4;
+
+/// [`Geometry::meet_all`].
+pub(super) struct MeetAll<'a> {
+    pub geometry: &'a Geometry,
+    pub few: &'a Few,
+    pub rays: &'a [Ray],
+    pub met: &'a mut [Option<Meeting>],
+}
+
+impl Job for MeetAll<'_> {
+    #[inline(always)]
+    fn run<W: Wide>(self, wide: W) {
+        let Self { geometry, few, rays, met } = self;
+        let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
+        for (rays, met) in rays.chunks(W::WIDTH).zip(met.chunks_mut(W::WIDTH)) {
+            if rays.len() < LONELY {
+                for (ray, met) in rays.iter().zip(met) {
+                    *met = geometry.meet(ray);
+                }
+                continue;
+            }
+            packet.fill::<W>(rays);
+            let found = few.first(wide, geometry, &packet, &mut doubts);
+            // Two loops: an answer that comes from elsewhere would be copied by way of memory, and so
+            // would all others.
+            for (lane, met) in met.iter_mut().enumerate() {
+                *met = found.meeting(lane);
+            }
+            for lane in ones(!found.asked & ((1 << rays.len()) - 1)) {
+                met[lane] = geometry.meet(&rays[lane]);
+            }
+            if !few.alone {
+                for lane in ones(found.asked) {
+                    met[lane] = few.among_others(geometry, &rays[lane], met[lane]);
+                }
+            }
+        }
+    }
+}
+
+/// [`Geometry::occluded_all`].
+pub(super) struct OccludedAll<'a> {
+    pub geometry: &'a Geometry,
+    pub few: &'a Few,
+    pub rays: &'a [Ray],
+    pub occluded: &'a mut [bool],
+}
+
+impl Job for OccludedAll<'_> {
+    #[inline(always)]
+    fn run<W: Wide>(self, wide: W) {
+        let Self { geometry, few, rays, occluded } = self;
+        let (mut packet, mut doubts) = (Packet::EMPTY, Doubts::NONE);
+        for (rays, occluded) in rays.chunks(W::WIDTH).zip(occluded.chunks_mut(W::WIDTH)) {
+            if rays.len() < LONELY {
+                for (ray, occluded) in rays.iter().zip(occluded) {
+                    *occluded = geometry.occluded(ray);
+                }
+                continue;
+            }
+            packet.fill::<W>(rays);
+            let (any, asked) = few.any(wide, geometry, &packet, &mut doubts);
+            for (lane, occluded) in occluded.iter_mut().enumerate() {
+                *occluded = any & 1 << lane != 0;
+            }
+            for lane in ones(!asked & ((1 << rays.len()) - 1)) {
+                occluded[lane] = geometry.occluded(&rays[lane]);
+            }
+            if !few.alone {
+                for lane in ones(asked & !any) {
+                    occluded[lane] = few.others_occlude(geometry, &rays[lane]);
+                }
+            }
         }
     }
 }

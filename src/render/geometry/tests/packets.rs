@@ -6,8 +6,8 @@ use super::agreement::{add_round, ray, soup};
 use super::instances;
 use super::meshes::{Chance, Mesh};
 use super::watertight::cube;
-use crate::render::geometry::few::{MeetAll, OccludedAll};
 use crate::render::geometry::lanes::Portable;
+use crate::render::geometry::stream::{MeetAll, OccludedAll};
 use crate::render::geometry::wide::{Job, Wide};
 use crate::render::geometry::{Geometry, Owner, Ray, Shapes, Sphere, Triangle, between};
 
