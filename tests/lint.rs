@@ -108,3 +108,30 @@ fn stones_of_glass_that_touch_in_a_line_are_doubted_and_stones_apart_are_not() {
     assert!(touching.contains("at an edge near (0, 0, 50) cm"), "{touching}");
     assert!(!report(0.1).contains("lint/non-manifold"));
 }
+
+#[test]
+fn parts_of_very_different_size_are_told_with_their_number_factor_and_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = clear(
+        "object stones: mesh { file: \"two.obj\", unit: m, material: dielectric { inside: glass } }\n",
+    );
+    let report = |size: f64| {
+        let mut text = String::new();
+        for (size, from) in [(1.0, 0.0), (size, 5.0)] {
+            for [x, y, z] in [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
+                text += &format!("v {} {} {}\n", from + size * x, size * y, size * z);
+            }
+        }
+        for at in [0, 4] {
+            for [a, b, c] in [[1, 3, 2], [1, 2, 4], [1, 4, 3], [2, 3, 4]] {
+                text += &format!("f {} {} {}\n", a + at, b + at, c + at);
+            }
+        }
+        std::fs::write(folder.path().join("two.obj"), text).unwrap();
+        told(&folder.path().join("example.scn"), &scene)
+    };
+    let mixed = report(5e-5);
+    assert!(mixed.contains("`stones` has parts of which one is 20000 times as large"), "{mixed}");
+    assert!(mixed.contains("the smallest of its 2 parts is near (5, 0, 0) m"), "{mixed}");
+    assert!(!report(2e-4).contains("lint/mixed-scale"));
+}
