@@ -24,8 +24,8 @@ pub struct Job<'a> {
     pub tiles: &'a [usize],
     /// What was taken before, up to these samples.
     pub taken: &'a Taken,
-    /// Whether to leave the rest undone. Asked before each tile; and now and then in a sample, with
-    /// the rays that it has followed, since one alone may take for ever.
+    /// Whether to leave the rest undone. Asked before each tile; and now and then in a sample, or
+    /// in those that are taken together, with the rays followed, since one alone may take for ever.
     pub cancelled: &'a GiveUp<'a>,
     /// Told after each tile how many samples were taken in it.
     pub advance: &'a (dyn Fn(u64) + Sync),

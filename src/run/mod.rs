@@ -65,7 +65,8 @@ impl Begin {
     }
 }
 
-/// A sample that has followed so many rays may never end: once the time is over, it is given up.
+/// A sample that has followed so many rays, or those taken together with it, may never end: once the
+/// time is over, they are given up.
 const ENDLESS: u64 = 1 << 18;
 
 /// Whoever watches a render. Called from any thread.

@@ -35,11 +35,13 @@ pub struct Carrier<'w> {
     pub given_up: bool,
 }
 
-/// Whether to give up a sample, by the rays that it has followed.
+/// Whether to give up a sample, by the rays that it has followed; or samples that are taken together, by
+/// those of all.
 pub type GiveUp<'w> = dyn Fn(u64) -> bool + Sync + 'w;
 
-/// Rays of a sample between two questions whether to go on: some hundred microseconds.
-const PATIENCE: u64 = 1024;
+/// Rays between two questions whether to go on: some hundred microseconds. Of a sample that is alone,
+/// or of a wave.
+pub(super) const PATIENCE: u64 = 1024;
 
 /// A ray that light is followed along, backwards, and what is known of the way so far.
 #[derive(Clone, Copy, Debug)]

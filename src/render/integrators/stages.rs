@@ -24,10 +24,11 @@ impl Path {
             self.arrive(wave, flight);
             self.ask(wave, flight);
             self.go_on(wave, flight);
+            flight.turn();
+            wave.follow(flight.lanes.len());
             if wave.given_up {
                 return;
             }
-            flight.turn();
         }
     }
 

@@ -4,7 +4,7 @@
 //! each of its steps needs the one before; the same step of many samples does not. No sample learns
 //! of another: each has its numbers, its ray, and what it brings home.
 
-use super::carrier::{Carrier, GiveUp};
+use super::carrier::{Carrier, GiveUp, PATIENCE};
 use super::{Ray, Stream, Tracing, World};
 use crate::render::samplers::Fours;
 
@@ -22,6 +22,8 @@ pub struct Wave<'w> {
     weights: Vec<f64>,
     /// What each brings home; those beyond the last sample are kept for their memory.
     pub(super) carriers: Vec<Carrier<'w>>,
+    /// Rays that were followed for all of them.
+    followed: u64,
     /// One of them was given up: what they found are no samples.
     pub given_up: bool,
 }
@@ -37,6 +39,7 @@ impl<'w> Wave<'w> {
             rays: Vec::new(),
             weights: Vec::new(),
             carriers: Vec::new(),
+            followed: 0,
             given_up: false,
         }
     }
@@ -45,6 +48,7 @@ impl<'w> Wave<'w> {
     /// most.
     pub fn begin(&mut self, seed: u64, samples: impl Iterator<Item = ([u64; 2], u64)> + Clone) {
         let world = self.world;
+        self.followed = 0;
         self.streams.clear();
         self.rays.clear();
         self.weights.clear();
@@ -69,6 +73,15 @@ impl<'w> Wave<'w> {
     /// What each of them brings home, and what the film's filter makes of it, as a factor.
     pub fn brought(&self) -> impl Iterator<Item = (&Carrier<'w>, f64)> {
         self.carriers.iter().zip(self.weights.iter().copied())
+    }
+
+    /// So many rays more are followed. Now and then that is a question whether to go on.
+    pub(super) fn follow(&mut self, rays: usize) {
+        let asked = self.followed / PATIENCE;
+        self.followed += rays as u64;
+        if self.followed / PATIENCE > asked {
+            self.given_up |= self.give_up.is_some_and(|give_up| give_up(self.followed));
+        }
     }
 
     /// Paths are to be kept, surface by surface.
