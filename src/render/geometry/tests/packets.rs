@@ -6,6 +6,7 @@ use super::agreement::{add_round, ray, soup};
 use super::instances;
 use super::meshes::{Chance, Mesh};
 use super::watertight::cube;
+use crate::render::geometry::hits::HitAll;
 use crate::render::geometry::lanes::Portable;
 use crate::render::geometry::stream::{MeetAll, OccludedAll};
 use crate::render::geometry::wide::{Job, Wide};
@@ -30,6 +31,7 @@ fn by_each(mut job: impl FnMut(&dyn Fn(Question))) {
 enum Question<'a> {
     Meet(MeetAll<'a>),
     Occluded(OccludedAll<'a>),
+    Hit(HitAll<'a>),
 }
 
 impl Question<'_> {
@@ -40,6 +42,7 @@ impl Question<'_> {
         match self {
             Self::Meet(job) => run(wide, job),
             Self::Occluded(job) => run(wide, job),
+            Self::Hit(job) => run(wide, job),
         }
     }
 }
@@ -52,9 +55,12 @@ fn agree(geometry: &Geometry, rays: &[Ray]) -> usize {
         let mut met = vec![None; rays.len()];
         ask(Question::Meet(MeetAll { geometry, few, rays, met: &mut met }));
         let mut any = vec![false; rays.len()];
+        let mut hits = vec![None; rays.len()];
+        ask(Question::Hit(HitAll { geometry, rays, met: &expected, hits: &mut hits }));
         ask(Question::Occluded(OccludedAll { geometry, few, rays, occluded: &mut any }));
         for (i, ray) in rays.iter().enumerate() {
             assert_eq!(met[i], expected[i], "{ray:?}");
+            assert_eq!(hits[i], geometry.closest(ray), "{ray:?}");
             assert_eq!(any[i], geometry.occluded(ray), "{ray:?}");
         }
     });
@@ -93,6 +99,29 @@ fn packets_answer_as_single_rays_do() {
             let rays = (0..3000).map(|_| ray(&mut chance, far)).collect();
             agree_onwards(&geometry, rays, &mut chance);
         }
+    }
+}
+
+/// Normals and coordinates at the corners, of some triangles.
+#[test]
+fn packets_find_out_all_about_their_hits() {
+    let mut chance = Chance::new(77);
+    let mut shapes = Shapes::new();
+    for number in 0..60 {
+        let corners = [(); 3].map(|()| shapes.vertex(chance.cube().as_vec3()));
+        let turned = [(); 3].map(|()| shapes.normal(chance.direction()));
+        let normals = (number % 3 != 0).then_some(turned);
+        let owner = Owner { object: number, material: number + 1 };
+        let triangle = shapes.triangle(Triangle { corners, normals, owner });
+        if number % 2 == 0 {
+            let laid = [(); 3].map(|()| shapes.coordinate(chance.square()));
+            shapes.lay(triangle, laid);
+        }
+    }
+    for coordinates in [true, false] {
+        let geometry = Geometry::build(shapes.clone()).with_coordinates(coordinates);
+        let rays = (0..3000).map(|_| ray(&mut chance, 1.0)).collect();
+        assert!(agree_onwards(&geometry, rays, &mut chance) > 3000);
     }
 }
 
