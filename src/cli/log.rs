@@ -112,7 +112,7 @@ impl Error {
         if self.high == 0.0 {
             format!("{error}: no two samples of a pixel differ")
         } else if self.bound {
-            format!("at most about {error}, by the spread of single samples")
+            format!("at most about {high}, by the spread of single samples")
         } else {
             format!("{error}, with 95 % confidence {low} to {high}")
         }

@@ -84,7 +84,7 @@ fn pilot(planned: &Planned) -> String {
     let mut text = rate(rays as u64, 1.0);
     match pilot.error {
         Some(error) => {
-            let bound = if pilot.bound && error > 0.0 { "at most about " } else { "" };
+            let bound = if pilot.bound && error > 0.0 { "about " } else { "" };
             let samples = counted(pilot.samples, "sample");
             text.push_str(&format!("; error {bound}{} after {samples} a pixel", percent(error)));
         }
