@@ -31,6 +31,16 @@ pub struct Staged<'a> {
     pub faults: Vec<Diagnostic>,
 }
 
+/// How the renders that are looked at differ from those of the file.
+#[derive(Clone, Copy)]
+pub struct Asked {
+    /// They are changed by `--set`. Rules look at them as changed; a comment that allows what is
+    /// not there any more may be right in the file.
+    pub changed: bool,
+    /// They are not all: what counts in all of them cannot be told.
+    pub part: bool,
+}
+
 /// Checks the text of a scene file: what the language, the files it names, and the rules of the
 /// linter have to say. `sets` are arguments of `--set`.
 pub fn check(path: &Path, text: &str, sets: &[String], sources: &mut Sources) -> Checked {
@@ -49,26 +59,25 @@ pub fn check(path: &Path, text: &str, sets: &[String], sources: &mut Sources) ->
         own_limits: true,
         faults: prepare::check(stage, &prepare::Settings::default()),
     });
-    let part = !sets.is_empty();
-    let found = judged(found, staged.collect(), &compiled.outline, sources, part);
+    let asked = Asked { changed: !sets.is_empty(), part: false };
+    let found = judged(found, staged.collect(), &compiled.outline, sources, asked);
     let main = compiled.outline.files.first().copied().unwrap_or(FileId(0));
     Checked { main, found: diag::in_order(found, sources) }
 }
 
 /// What was `found` so far and in each render, and what the rules find where there is no error: a
-/// rule that looks at half a scene tells consequences. `part`: not all renders are there, or not as
-/// the file states them.
+/// rule that looks at half a scene tells consequences.
 pub fn judged(
     mut found: Vec<Diagnostic>,
     mut renders: Vec<Staged>,
     outline: &Outline,
     sources: &Sources,
-    part: bool,
+    asked: Asked,
 ) -> Vec<Diagnostic> {
     let faults = renders.iter().flat_map(|render| &render.faults);
     let whole = found.iter().chain(faults).all(|fault| fault.level < Level::Error);
     let draws = !renders.is_empty();
-    let as_stated = !part && renders.iter().all(|render| render.own_limits);
+    let as_stated = !asked.changed && !asked.part && renders.iter().all(|render| render.own_limits);
     if whole {
         let mut shots = Vec::new();
         for render in &mut renders {
@@ -76,8 +85,7 @@ pub fn judged(
             render.faults.extend(lint::of_render(&shot));
             shots.push(shot);
         }
-        let shots = if part { &[] } else { &*shots };
-        found.extend(lint::of_file(&Text { outline, draws }, shots));
+        found.extend(lint::of_file(&Text { outline, draws }, &shots, !asked.part));
     }
     let by_name = renders.into_iter().map(|render| (render.name.value.clone(), render.faults));
     found.extend(whose::told(by_name.collect()));

@@ -159,14 +159,20 @@ impl<'a> Session<'a> {
         self.bar.end();
         // Preparing finds the same once more.
         let known: Vec<_> = names.iter().flat_map(|(_, faults)| faults).cloned().collect();
-        let part = !self.options.only.is_empty() || !self.options.set.is_empty();
+        let (part, changed) = (!self.options.only.is_empty(), !self.options.set.is_empty());
         let staged = names.iter().zip(&ready).map(|((name, faults), ready)| check::Staged {
             name,
             stage: &ready.stage,
             own_limits: !super::limits::given(self.options),
             faults: faults.clone(),
         });
-        let found = check::judged(found, staged.collect(), outline, &self.sources, part);
+        let found = check::judged(
+            found,
+            staged.collect(),
+            outline,
+            &self.sources,
+            check::Asked { changed, part },
+        );
         let faulty = found.iter().any(|diagnostic| diagnostic.level == Level::Error);
         if stop::asked() {
             return Err(End::Interrupted);

@@ -40,8 +40,11 @@ enum Look {
     Text(fn(&Text, &mut Vec<Diagnostic>)),
     /// One render by itself; what several have in common is told once.
     Render(fn(&Shot, &mut Vec<Diagnostic>)),
-    /// All renders of a file: what no render at all makes use of, what two have in common.
-    Renders(fn(&[Shot], &mut Vec<Diagnostic>)),
+    /// Renders that are drawn together: what is so of all that have it, or common to two. It holds
+    /// of any part of a file's renders, too.
+    Together(fn(&[Shot], &mut Vec<Diagnostic>)),
+    /// All renders of a file: what none at all makes use of, what nearly all have.
+    All(fn(&[Shot], &mut Vec<Diagnostic>)),
 }
 
 /// The words of a file.
@@ -108,14 +111,16 @@ impl<'a> Shot<'a> {
     }
 }
 
-/// What the rules find in the words of a file, and in its renders together.
-pub fn of_file(text: &Text, shots: &[Shot]) -> Vec<Diagnostic> {
+/// What the rules find in the words of a file, and in its renders together. `all`: whether `shots`
+/// are all of its renders.
+pub fn of_file(text: &Text, shots: &[Shot], all: bool) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for rule in rules::RULES {
         match rule.look {
             Look::Text(look) => look(text, &mut found),
-            Look::Renders(look) => look(shots, &mut found),
-            Look::Render(_) => {}
+            Look::Together(look) => look(shots, &mut found),
+            Look::All(look) if all => look(shots, &mut found),
+            Look::All(_) | Look::Render(_) => {}
         }
     }
     found

@@ -135,3 +135,37 @@ fn limits_of_the_command_line_leave_nothing_to_say_of_the_scenes() {
         assert!(!told.contains("warning["), "{told}");
     }
 }
+
+/// Doubtful in five ways that show only in renders, or in several of them together.
+fn doubtful_together() -> String {
+    let mut text = BALL.replace("direct\n", "direct\nlayer far: paths { only: \"L .* D D E\" }\n");
+    text.push_str(
+        "light dark: point { position: (0, 3, 0), intensity: 0 W/sr }\n\
+         light low: point { position: (0, -3, 0), intensity: 1 W/sr }\n\
+         render third: left { film.exposure: 1 ev }\n\
+         render fourth: right { caption: \"Light from the left.\" }\n",
+    );
+    text
+}
+
+const TOGETHER: [&str; 5] =
+    ["dark-light", "empty-layer", "light-behind-plane", "same-caption", "same-picture"];
+
+#[test]
+fn a_scene_that_is_changed_is_doubted_as_changed() {
+    let bench = Bench::new();
+    bench.put("my.scn", doubtful_together());
+    let rules = |arguments: &str| -> Vec<&str> {
+        let run = bench.run(&format!("{arguments} my.scn")).ends(0);
+        let told = run.stdout + &run.stderr;
+        TOGETHER.into_iter().filter(|rule| told.contains(&format!("lint/{rule}]"))).collect()
+    };
+    assert_eq!(rules("lint"), TOGETHER);
+    assert_eq!(rules("lint --set sampler=sobol"), TOGETHER);
+    assert_eq!(rules("render --samples 1 -o out --set sampler=sobol"), TOGETHER);
+    // Of a part of the renders only what holds of them alone.
+    let one = rules("render --samples 1 -o out --only left");
+    assert_eq!(one, ["empty-layer", "light-behind-plane"]);
+    let two = rules("render --samples 1 -o out --only right --only fourth");
+    assert_eq!(two, ["empty-layer", "light-behind-plane", "same-picture"]);
+}
