@@ -269,3 +269,147 @@ fn what_is_too_far_is_not_offered() {
         assert!(!told.contains(not), "{text}: {not}\n{told}");
     }
 }
+
+/// A text with the first mend that is offered of it, which leaves nothing wrong.
+fn mended(text: &str) -> String {
+    let text = format!("scn 1 in m\nintegrator: preview\n{text}\n");
+    let (compiled, sources) = common::compile(&text);
+    let mut mends = compiled.diagnostics.iter().flat_map(|told| &told.mends);
+    let Some(mend) = mends.next() else {
+        let told = compiled.diagnostics.iter().map(|told| common::show(told, &sources));
+        panic!("no mend of\n{text}\n{}", told.collect::<String>());
+    };
+    let mut right = text.clone();
+    for edit in mend.edits.iter().rev() {
+        right.replace_range(edit.span.start as usize..edit.span.end as usize, &edit.text);
+    }
+    let (compiled, sources) = common::compile(&right);
+    if let Some(told) = compiled.diagnostics.iter().find(|told| told.level == Level::Error) {
+        panic!("{right}\n{}", common::show(told, &sources));
+    }
+    right
+}
+
+#[test]
+fn mends_are_what_was_meant() {
+    const BALL: &str = "center: (0, 0, 0), material: diffuse { albedo: 0.5 }";
+    let view = |field: &str| {
+        format!("camera: perspective {{ eye: (0, 0, 3), look_at: (0, 0, 0), {field} }}")
+    };
+    let ball = |field: &str| format!("object ball: sphere {{ {BALL}, {field} }}");
+    let changed = |item: &str| {
+        format!("{}\n{}\nrender a {{ {item} }}", ball("radius: 1 m"), view("fov_y: 40 deg"))
+    };
+    for (text, right) in [
+        (ball("diameter: 2 m"), ", radius: 1 m }"),
+        (ball("diameter: 25.5 cm"), ", radius: 12.75 cm }"),
+        (ball("diameter: 1 m + 2 m"), ", radius: 0.5 * (1 m + 2 m) }"),
+        (view("fov: 30"), ", fov_y: 30 deg }"),
+        (view("fov: 0.5 rad"), ", fov_y: 0.5 rad }"),
+        ("material a: conductor { eta: 0.2, k: 3.9 }".into(), "{ ior: complex(0.2, 3.9) }"),
+        ("material a: conductor { k: 3.9, ior: 0.2 }".into(), "{ ior: complex(0.2, 3.9) }"),
+        ("material a: diffuse { albedo: [0.8, 0.4, 0.2] }".into(), "albedo: rgb(0.8, 0.4, 0.2)"),
+        ("material a: diffuse { albedo: (0.5, 0.5, 1) }".into(), "albedo: rgb(0.5, 0.5, 1)"),
+        (
+            "material a: diffuse { albedo: \"wood.png\" }".into(),
+            "albedo: image { file: \"wood.png\" }",
+        ),
+        (ball("radius: 1 m, place: [rotate(45 deg, y)]"), "[rotate(y, 45 deg)]"),
+        (changed("camera: { fov_y: 20 deg }"), "{ camera.fov_y: 20 deg }"),
+        (changed("object ball: { radius: 2 m }"), "{ object ball.radius: 2 m }"),
+        (
+            changed("object ball: { radius: 2 m, center: (1, 0, 0) }"),
+            "{ object ball.radius: 2 m, object ball.center: (1, 0, 0) }",
+        ),
+    ] {
+        let mended = mended(&text);
+        assert!(mended.contains(right), "{right}\n{mended}");
+    }
+}
+
+#[test]
+fn what_measures_something_else_is_told_so() {
+    let text = "camera: perspective { eye: (0, 0, 3), look_at: (0, 0, 0), fov_x: 45 deg }";
+    let told = only(text);
+    assert!(told.contains("another angle") && told.contains("tan(fov_x / 2)"), "{told}");
+}
+
+#[test]
+fn forms_that_the_grammar_refuses_are_known() {
+    for (text, offered) in [
+        ("light a: constant { radiance: 1.5 W/m²/sr }", "write `1.5 W/m^2/sr`"),
+        ("light a: constant { radiance: 2 W/(m^2 sr) }", "write `2 W/m^2/sr`"),
+        ("light a: directional { direction: -y, irradiance: 2 W m^-2 }", "write `2 W/m^2`"),
+        ("light a.radiance: 2 W m^-2 sr^-1", "write `2 W/m^2/sr`"),
+        ("render a {}\nrender d extends a {}", "write `render d: a { … }`"),
+        ("let i = 2\nlet a = 4 ^ i", "write the exponent as a number from -16 to 16"),
+    ] {
+        let told = only(text);
+        assert!(told.contains(offered), "{text}: {offered}\n{told}");
+    }
+}
+
+#[test]
+fn nothing_is_told_that_is_not_so() {
+    let told = only("render k { integrator.depth: 3, integrator: direct }");
+    assert!(
+        told.starts_with("`integrator` is stated whole, and `integrator.depth` beside"),
+        "{told}"
+    );
+    let told = only("let kk = 1\nlet twice(a) = 2 * a\nlet b = nothing_like_it(1)");
+    assert!(told.contains("`twice`") && !told.contains("`kk`"), "{told}");
+}
+
+/// Fields that must be given are shown with values that can stand as they are.
+#[test]
+fn examples_are_neither_wrong_nor_doubtful() {
+    use scn::scene::schema::Type;
+    let mut shown = 0;
+    for kind in scn::scene::KINDS {
+        let Type::OneOf(variants) = kind.ty else { continue };
+        for record in variants.all {
+            let name = if kind.named { " shown" } else { "" };
+            let item =
+                |fields: &str| format!("{}{name}: {} {{ {fields} }}", kind.word, record.word);
+            let asked = format!("scn 1 in m\n{}\n", item(""));
+            let (compiled, _) = common::compile(&asked);
+            let helps =
+                compiled.diagnostics.iter().filter(|it| it.code.name == "type/missing-field");
+            let help = helps.filter_map(|told| told.help.clone()).next();
+            let Some(fields) = help.as_deref().and_then(|help| help.split('`').nth(1)) else {
+                continue;
+            };
+            // Files are the user's.
+            if fields.contains('…') {
+                continue;
+            }
+            let mut scene = format!("scn 1 in m\n\n{}\n", item(fields));
+            let sky = "light sky: constant { radiance: 1 W/m^2/sr }\n";
+            let ball = |material: &str| {
+                format!(
+                    "object ball: sphere {{ center: (0, 0, 0), radius: 1 m, material: {material} }}\n"
+                )
+            };
+            let clay = "diffuse { albedo: 0.5 }";
+            scene += &match kind.word {
+                "camera" | "layer" => format!("integrator: path\n{sky}{}", ball(clay)),
+                "light" => format!("integrator: path\n{}", ball(clay)),
+                "material" => format!("integrator: path\n{sky}{}", ball("shown")),
+                "texture" => {
+                    format!("integrator: path\n{sky}{}", ball("diffuse { albedo: shown }"))
+                }
+                _ => format!(
+                    "integrator: path\n{sky}camera: perspective {{ eye: (1, 2, 5), look_at: (0, 0, 0), \
+                     fov_y: 40 deg }}\n"
+                ),
+            };
+            let mut sources = scn::diag::Sources::new();
+            let path = std::path::Path::new("scene.scn");
+            let found = scn::cli::check(path, &scene, &[], &mut sources).found;
+            let told = found.iter().map(|told| common::show(told, &sources));
+            assert!(found.is_empty(), "{scene}\n{}", told.collect::<String>());
+            shown += 1;
+        }
+    }
+    assert!(shown >= 15, "{shown}");
+}

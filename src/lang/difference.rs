@@ -14,7 +14,7 @@ use super::errors::{name as names, render, types};
 use super::eval::Evaluator;
 use super::resolve::{Action, Plan, TOP, What};
 use super::value::{FieldValue, RecordValue, Thunk, Value, ValueKind};
-use crate::diag::Span;
+use crate::diag::{Diagnostic, Span};
 use crate::scene::KINDS;
 use crate::scene::schema::{self, Field, Type};
 
@@ -100,7 +100,8 @@ impl Composer<'_> {
                 let meet = covers(a, b) || covers(b, a);
                 if meet && !self.wins(a, b) && !self.wins(b, a) && !clashing.contains(&i) {
                     self.tell_clash(a, b);
-                    clashing.insert(j);
+                    // What states the whole goes on to be looked at.
+                    clashing.insert(if states(b) && !states(a) { i } else { j });
                 }
             }
         }
@@ -153,6 +154,15 @@ impl Composer<'_> {
             }
         };
         if action.parts.is_empty() {
+            let lower = group.iter().any(|(_, lower)| states(lower) && self.wins(action, lower));
+            let told = lower.then(|| self.part_as_whole(action, &said)).flatten();
+            let said = match told {
+                Some(told) => {
+                    self.ev.reports.tell(told);
+                    Value::broken(said.span)
+                }
+                None => said,
+            };
             return Some(Some((action.name.clone(), said)));
         }
         let before = match (before, kind.default) {
@@ -174,6 +184,26 @@ impl Composer<'_> {
         let value =
             self.change(&before.1, &kind.ty, &action.parts, said, &root.text(), action.path)?;
         Some(Some((before.0, value)))
+    }
+
+    /// What is wrong with fields alone that state a declaration anew, where a few paths would say
+    /// what is meant.
+    fn part_as_whole(&self, action: &Action, said: &Value) -> Option<Diagnostic> {
+        let (Type::OneOf(variants), ValueKind::Record(record)) = (&action.kind.ty, &said.kind)
+        else {
+            return None;
+        };
+        if record.word.is_some() || record.base.is_some() || record.fields.is_empty() {
+            return None;
+        }
+        let root = action.text();
+        let path = |field: &FieldValue| {
+            let text = self.ev.written(field.value.span())?;
+            (!text.contains('\n')).then(|| format!("{root}.{}: {text}", field.key.text))
+        };
+        let paths: Option<Vec<_>> = record.fields.iter().map(path).collect();
+        let item = action.path.to(said.span);
+        Some(names::whole_for_part(&root, variants.name, record.braces, &paths?.join(", "), item))
     }
 
     fn tell_nothing<'n>(&self, action: &Action, all: &dyn Fn() -> Vec<&'n str>) {

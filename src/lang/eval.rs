@@ -355,7 +355,7 @@ impl Evaluator<'_> {
             }
             None => functions::call(self, word, values, span).unwrap_or_else(|| {
                 self.reports.tell_unknown_with(&word.text, word.span, || {
-                    let all: Vec<_> = env.all();
+                    let all: Vec<_> = env.functions();
                     let all: Vec<&str> = all.iter().map(|name| &**name).collect();
                     names::unknown_function(&word.text, word.span, &all)
                 });

@@ -40,7 +40,7 @@ pub fn call(ev: &Evaluator, word: &Word, values: Vec<Value>, span: Span) -> Opti
         "rgb" => colour(ev, &values, |c| c),
         "srgb" => encoded(ev, &values, span),
         "scale" => scale(ev, &values),
-        "rotate" => rotate(ev, &values),
+        "rotate" => rotate(ev, &values, span),
         "blackbody" => blackbody(ev, &values[0]),
         "complex" => check::complex(ev, &values[0], &values[1]),
         "data" => data(ev, &values, span),
@@ -100,7 +100,18 @@ fn scale(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
     Some(ValueKind::Step(Step::Scale(factors)))
 }
 
-fn rotate(ev: &Evaluator, values: &[Value]) -> Option<ValueKind> {
+fn rotate(ev: &Evaluator, values: &[Value], span: Span) -> Option<ValueKind> {
+    let [first, second] = values else { return None };
+    let angle = matches!(first.kind, ValueKind::Number { dimension: Dimension::ANGLE, .. });
+    let axis = !matches!(second.kind, ValueKind::Number { .. });
+    if angle && axis {
+        let text = ev.written(span).and_then(|text| {
+            let (angle, axis) = text.strip_prefix("rotate(")?.strip_suffix(')')?.split_once(',')?;
+            Some(format!("rotate({}, {})", axis.trim(), angle.trim()))
+        });
+        ev.reports.tell(types::turned_round(text, span));
+        return None;
+    }
     let axis = check::direction(ev, &values[0], "the first argument of `rotate`");
     let angle = check::number(ev, &values[1], Dimension::ANGLE, "the second argument of `rotate`");
     Some(ValueKind::Step(Step::Rotate(axis?, angle?)))

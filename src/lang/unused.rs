@@ -75,15 +75,13 @@ fn words(ev: &Evaluator, value: &Expr, env: &Env, known: &HashSet<&str>) {
         if exists {
             continue;
         }
-        ev.reports.tell_unknown_with(text, word.span, || {
-            let names = env.all();
-            match called {
-                true => {
-                    let names: Vec<_> = names.iter().map(|name| &**name).collect();
-                    name::unknown_function(text, word.span, &names)
-                }
-                false => name::unknown_value(text, word.span, &names),
+        ev.reports.tell_unknown_with(text, word.span, || match called {
+            true => {
+                let names = env.functions();
+                let names: Vec<_> = names.iter().map(|name| &**name).collect();
+                name::unknown_function(text, word.span, &names)
             }
+            false => name::unknown_value(text, word.span, &env.all()),
         });
     }
 }

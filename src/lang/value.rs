@@ -169,13 +169,27 @@ impl Env {
 
     /// All names, for the nearest one.
     pub fn all(&self) -> Vec<Arc<str>> {
+        self.names(|_| true)
+    }
+
+    /// The names of all functions.
+    pub fn functions(&self) -> Vec<Arc<str>> {
+        let takes = |binding: &Binding| match &binding.what {
+            Bound::Let(said, ..) => said.params.is_some(),
+            Bound::Value(_) | Bound::Broken => false,
+        };
+        self.names(takes)
+    }
+
+    fn names(&self, such: impl Fn(&Binding) -> bool) -> Vec<Arc<str>> {
         // Among more than these no person looks for a name.
         const MOST: usize = 2000;
         let mut found = Vec::new();
         let mut frame = Some(self);
         while let Some(Env(here)) = frame {
             let names = here.names.borrow();
-            found.extend(names.keys().filter(|_| names.len() <= MOST).cloned());
+            let wanted = names.iter().filter(|(_, it)| names.len() <= MOST && such(it));
+            found.extend(wanted.map(|(name, _)| name.clone()));
             frame = here.outer.as_ref();
         }
         found

@@ -246,6 +246,31 @@ const OTHERWISE: &[(&str, &[&str], &str)] = &[
     ),
 ];
 
+/// What a field may be called elsewhere whose value is twice that of one here.
+const HALVES: &[(&str, &str)] = &[("diameter", "radius")];
+
+/// What looks like a field and measures something else, and how the two belong together.
+const UNLIKE: &[(&str, &str, &str)] = {
+    const WIDTH: &str = "for a picture of w by h pixels, tan(fov_y / 2) = h / w * tan(fov_x / 2)";
+    &[
+        ("fov_x", "fov_y", WIDTH),
+        ("hfov", "fov_y", WIDTH),
+        ("horizontal_fov", "fov_y", WIDTH),
+        ("xfov", "fov_y", WIDTH),
+    ]
+};
+
+/// The field here whose value is half of that of a field elsewhere.
+pub fn half(word: &str) -> Option<&'static str> {
+    HALVES.iter().find(|(known, _)| *known == word).map(|(_, meant)| *meant)
+}
+
+/// The field here that measures something else than one elsewhere which it looks like, and how one
+/// follows from the other.
+pub fn unlike(word: &str) -> Option<(&'static str, &'static str)> {
+    UNLIKE.iter().find(|(known, ..)| *known == word).map(|(_, meant, how)| (*meant, *how))
+}
+
 /// The variant that a word of elsewhere most likely stands for.
 pub fn meant(choice: &str, word: &str) -> Option<&'static str> {
     let word = word.to_lowercase();
@@ -320,6 +345,9 @@ mod tests {
         }
         for (word, meant) in FIELDS {
             assert!(fields.contains(meant) && word != meant, "{word} → {meant}");
+        }
+        for (word, meant) in HALVES.iter().copied().chain(UNLIKE.iter().map(|it| (it.0, it.1))) {
+            assert!(fields.contains(&meant) && !fields.contains(&word), "{word} → {meant}");
         }
         assert!(ELSEWHERE.is_sorted() && FIELDS.is_sorted() && KINDS_ELSEWHERE.is_sorted());
     }

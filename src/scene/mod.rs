@@ -7,6 +7,7 @@
 mod at;
 mod camera;
 pub mod elsewhere;
+pub mod examples;
 mod film;
 mod integrator;
 mod layer;

@@ -186,7 +186,8 @@ impl Checker<'_> {
                         let place = format!("`{place}`");
                         let named = variants.and_then(|v| elsewhere::meant(v.name, &word.text));
                         let shape = variants.map(|variants| self.shape(variants, named));
-                        let made = made_of_data(variants, word);
+                        let mut made = made_of_data(variants, word);
+                        made.extend(variants.filter(|_| is_text).and_then(|v| of_file(v, word)));
                         let instead = (shape.as_deref().unwrap_or("…"), made.as_slice());
                         names::unknown_declaration(&place, kind, word, &declared, instead)
                     });
@@ -233,6 +234,19 @@ fn made_of_data(variants: Option<&'static Variants>, word: &Word) -> Vec<String>
         variants.map(|all| meant::made_of(all, &value, &text)).unwrap_or_default()
     };
     data.into_iter().flat_map(made).collect()
+}
+
+/// What of some variants a text that names a file makes: `image { file: "wood.png" }`.
+fn of_file(variants: &Variants, word: &Word) -> Option<String> {
+    let made = |record: &&schema::Record| {
+        let [first, rest @ ..] = record.fields else { return false };
+        matches!(first.ty, Type::File)
+            && rest.iter().all(|field| field.default.is_some() || field.optional)
+    };
+    let record = variants.all.iter().find(made).filter(|_| word.text.contains('.'))?;
+    let first = record.fields.first()?.word;
+    (!word.text.contains(['"', '\\']))
+        .then(|| format!("{} {{ {first}: \"{}\" }}", record.word, word.text))
 }
 
 fn plain(word: Word, braces: Span) -> RecordValue {

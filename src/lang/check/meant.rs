@@ -6,7 +6,7 @@ use crate::lang::ast::ExprKind;
 use crate::lang::errors::quantities::of_a_point;
 use crate::lang::eval::Evaluator;
 use crate::lang::shelves;
-use crate::lang::value::{FieldValue, RecordValue, Thunk, Value, ValueKind};
+use crate::lang::value::{FieldValue, RecordValue, Thunk, Value, ValueKind, digits as shown};
 use crate::math::units::Dimension;
 use crate::scene::schema::{Field, Record, Type, Variants};
 use crate::scene::spectral::Spectral;
@@ -100,12 +100,18 @@ pub fn instead_of(
     let stated = |word: &str| found.fields.iter().any(|field| &*field.key.text == word);
     let begins = |way: &String| stated(way.split(':').next().unwrap_or(""));
     let key = &*field.key.text;
+    if let Some(right) = elsewhere::half(key)
+        && record.fields.iter().any(|field| field.word == right)
+    {
+        return (vec![format!("{right}: {}", half(text))], stated(right));
+    }
     let mut all = match is_medium(field) {
         true => media(record).map(|field| format!("{}: {text}", field.word)).take(1).collect(),
         false => {
             let mut all = further_in(record, key, text);
             for key in elsewhere::fields(key) {
-                all.extend(beside_or_further_in(record, key, text, &stated));
+                let text = with_unit(field, record, key).unwrap_or(text.to_string());
+                all.extend(beside_or_further_in(record, key, &text, &stated));
             }
             all
         }
@@ -131,6 +137,17 @@ pub fn instead_of(
     (all, stated)
 }
 
+/// The value of a field as an angle in degrees, if it is a plain number and belongs into the field
+/// `key`, which is an angle: too many for radians.
+fn with_unit(field: &FieldValue, record: &Record, key: &str) -> Option<String> {
+    let Thunk::Lazy(expr, _) = &field.value else { return None };
+    let ExprKind::Number { value, unit: None } = expr.kind else { return None };
+    let meant = record.fields.iter().find(|field| field.word == key)?;
+    let angle = matches!(meant.ty, Type::Number(Dimension::ANGLE));
+    let degrees = value > std::f64::consts::TAU && meant.range.holds(value.to_radians());
+    (angle && degrees).then(|| format!("{} deg", shown(value)))
+}
+
 /// What may be written of a field called `key`, if the record has one that is free or one further in.
 fn beside_or_further_in(
     record: &Record,
@@ -142,6 +159,56 @@ fn beside_or_further_in(
         true if stated(key) => Vec::new(),
         true => vec![format!("{key}: {text}")],
         false => further_in(record, key, text),
+    }
+}
+
+/// An index that is said by its two parts, each in a field of its own.
+pub struct Parts {
+    /// The field as it may be written: `ior: complex(0.2, 3.9)`.
+    pub right: String,
+    /// Where both stand, if nothing else stands between them.
+    pub place: Option<Span>,
+    /// Whether this field is the one that tells it.
+    pub tell: bool,
+}
+
+/// The index that a field which a record does not have says together with another one.
+pub fn complex_index(
+    ev: &Evaluator,
+    field: &FieldValue,
+    found: &RecordValue,
+    schema: &Record,
+) -> Option<Parts> {
+    let index = schema.fields.iter().find(|field| matches!(field.ty, Type::Index))?.word;
+    let is_n = |key: &str| key == index || elsewhere::fields(key).any(|meant| meant == index);
+    let is_k = |key: &str| matches!(key, "k" | "kappa");
+    let n = found.fields.iter().find(|field| is_n(&field.key.text))?;
+    let k = found.fields.iter().find(|field| is_k(&field.key.text))?;
+    let here = field.key.span;
+    if here != n.key.span && here != k.key.span {
+        return None;
+    }
+    let [n_text, k_text] = [said(ev, n.value.span())?, said(ev, k.value.span())?];
+    let (first, second) = if n.key.span.start < k.key.span.start { (n, k) } else { (k, n) };
+    let between =
+        Span { start: first.value.span().end, end: second.key.span.start, ..first.key.span };
+    let place = Span { end: second.value.span().end, ..first.key.span };
+    let alone = ev.written(between).is_some_and(|text| text.trim_matches([' ', ',', '\n']) == "");
+    Some(Parts {
+        right: format!("{index}: complex({n_text}, {k_text})"),
+        place: Some(place).filter(|_| alone),
+        tell: here == n.key.span || &*n.key.text == index,
+    })
+}
+
+/// Half of a value, as it is written.
+fn half(text: &str) -> String {
+    let digits = |c: char| !c.is_ascii_digit() && c != '.';
+    let (number, unit) = text.split_at(text.find(digits).unwrap_or(text.len()));
+    let word = |c: char| c.is_ascii_alphabetic() || c == ' ';
+    match number.parse::<f64>() {
+        Ok(number) if unit.chars().all(word) => format!("{}{unit}", shown(0.5 * number)),
+        _ => format!("0.5 * ({text})"),
     }
 }
 

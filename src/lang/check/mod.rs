@@ -20,7 +20,7 @@ use super::{defaults, limits};
 use crate::diag::{FileId, Span};
 use crate::math::units::Dimension;
 use crate::scene::schema::{self, Checked, Range, Type, Variants};
-use crate::scene::{At, FileName};
+use crate::scene::{At, FileName, elsewhere, examples};
 pub use quantities::{coordinates, direction, in_range, number, number_within, point};
 use quantities::{count, pair};
 pub use spectral::complex;
@@ -262,6 +262,13 @@ impl<'a> Checker<'a> {
         self.declared.keys().filter(|(k, _)| *k == kind).map(|(_, name)| &**name).collect()
     }
 
+    /// The same without those that are being looked into: nothing is made of itself.
+    fn others(&self, kind: &'static str) -> Vec<&str> {
+        let open = self.open.borrow();
+        let is_open = |name: &str| open.iter().any(|(k, n)| *k == kind && &**n == name);
+        self.names_of(kind).into_iter().filter(|name| !is_open(name)).collect()
+    }
+
     fn map(&self, found: &RecordValue, element: &'static Type, place: &str) -> Option<Checked> {
         let mut all = BTreeMap::new();
         let mut whole = !found.partial;
@@ -357,10 +364,8 @@ impl<'a> Checker<'a> {
                 missing.into_iter().filter(|field| !misspelt(field, &mut strangers)).collect();
             if missed.len() > strangers.len() && !found.partial {
                 let at = found.word.as_ref().map_or(found.braces, |word| word.span);
-                let wanted: Vec<_> = missed
-                    .iter()
-                    .map(|field| (field.word, self.example(&field.ty, &field.range)))
-                    .collect();
+                let wanted: Vec<_> =
+                    missed.iter().map(|field| (field.word, self.example(schema, field))).collect();
                 ev.reports.tell(types::missing_fields(&owner, place, &wanted, at, found.braces));
             }
             whole = false;
@@ -376,19 +381,29 @@ impl<'a> Checker<'a> {
         schema: &'static schema::Record,
     ) {
         let known: Vec<_> = schema.fields.iter().map(|field| field.word).collect();
+        let key = &field.key;
+        if let Some(pair) = meant::complex_index(self.ev, field, found, schema) {
+            if pair.tell {
+                let meant = (&[pair.right][..], pair.place);
+                let told = names::unknown_field(owner, key, &known, meant, true);
+                self.ev.reports.tell(told);
+            }
+            return;
+        }
+        if let Some((right, unlike)) = elsewhere::unlike(&key.text)
+            && known.contains(&right)
+        {
+            self.ev.reports.tell(names::unlike_field(owner, key, right, unlike));
+            return;
+        }
         let said = meant::said(self.ev, field.value.span());
         let (meant, stated) = meant::instead_of(field, said.unwrap_or("…"), schema, found);
         // What a word stands for elsewhere is surer than what it looks like.
-        let sure = crate::scene::elsewhere::fields(&field.key.text).next().is_some();
-        let place = Span { end: field.value.span().end, ..field.key.span };
+        let sure =
+            elsewhere::fields(&key.text).next().is_some() || elsewhere::half(&key.text).is_some();
+        let place = Span { end: field.value.span().end, ..key.span };
         let place = Some(place).filter(|_| said.is_some() && !stated);
-        self.ev.reports.tell(names::unknown_field(
-            owner,
-            &field.key,
-            &known,
-            (&meant, place),
-            sure,
-        ));
+        self.ev.reports.tell(names::unknown_field(owner, key, &known, (&meant, place), sure));
     }
 
     fn field_value(
@@ -420,9 +435,13 @@ impl<'a> Checker<'a> {
         checked
     }
 
-    /// How a value of a type may look.
-    fn example(&self, ty: &Type, range: &Range) -> String {
-        match ty {
+    /// How a value of a field may look.
+    fn example(&self, record: &schema::Record, field: &schema::Field) -> String {
+        if let Some(example) = examples::of_field(record, field) {
+            return example.into();
+        }
+        let range = &field.range;
+        match &field.ty {
             Type::Number(dimension) => measures::example(*dimension, range),
             Type::Spectrum(of) | Type::Textured { of, .. } => {
                 measures::example(of.dimension(), range)
@@ -442,7 +461,7 @@ impl<'a> Checker<'a> {
             Type::OneOf(variants) => variants.all.first().map_or("", |record| record.word).into(),
             Type::Record(_) | Type::Map(_) => "{ … }".into(),
             Type::List(_) => "[ … ]".into(),
-            Type::Reference { kind, target } => match (self.names_of(kind).first(), target) {
+            Type::Reference { kind, target } => match (self.others(kind).first(), target) {
                 (Some(name), _) => (*name).into(),
                 (None, Some(target)) if let Type::OneOf(variants) = target() => {
                     self.shape(variants, None)
@@ -455,23 +474,18 @@ impl<'a> Checker<'a> {
     /// How one of some variants may look, the one of this word or else the simplest: with the
     /// fields it must have, or with its first one.
     fn shape(&self, variants: &Variants, word: Option<&str>) -> String {
-        fn needed(record: &schema::Record) -> impl Iterator<Item = &schema::Field> {
-            record.fields.iter().filter(|field| field.default.is_none() && !field.optional)
-        }
-        let hard = |field: &schema::Field| matches!(field.ty, Type::Index | Type::Reference { .. });
         let chosen = match word {
             Some(word) => variants.all.iter().find(|record| record.word == word),
-            None => variants.all.iter().find(|record| !needed(record).any(hard)),
+            None => examples::simplest(variants),
         };
-        let Some(record) = chosen.or(variants.all.first()) else { return String::new() };
-        let mut shown: Vec<_> = needed(record).collect();
-        if shown.is_empty() {
-            shown.extend(record.fields.first());
+        let Some(record) = chosen else { return String::new() };
+        let field =
+            |field: &&schema::Field| format!("{}: {}", field.word, self.example(record, field));
+        let fields: Vec<_> = examples::shown(record).iter().map(field).collect();
+        match fields.is_empty() {
+            true => record.word.to_string(),
+            false => format!("{} {{ {} }}", record.word, fields.join(", ")),
         }
-        let fields = shown
-            .iter()
-            .map(|field| format!("{}: {}", field.word, self.example(&field.ty, &field.range)));
-        format!("{} {{ {} }}", record.word, fields.collect::<Vec<_>>().join(", "))
     }
 }
 

@@ -1,5 +1,6 @@
 //! Quantities that may vary with the wavelength: reflectances, radiances, indices of refraction.
 
+use super::meant;
 use super::quantities::{in_range, number};
 use crate::lang::arithmetic;
 use crate::lang::errors::{quantities, spectrum as errors, types};
@@ -16,6 +17,17 @@ use crate::scene::spectral::Spectral;
 pub fn expected(spectral: Spectral) -> String {
     let article = crate::lang::errors::with_article(spectral.word());
     format!("{article}: a number, a colour or a spectrum")
+}
+
+/// Whether a value is a list or a vector of three plain numbers.
+fn three(value: &Value) -> Option<()> {
+    let (ValueKind::List(all) | ValueKind::Vector { components: all, .. }) = &value.kind else {
+        return None;
+    };
+    let plain = |it: &Value| {
+        matches!(it.kind, ValueKind::Number { dimension: Dimension::NONE, unit: None, .. })
+    };
+    (all.len() == 3 && all.iter().all(plain)).then_some(())
 }
 
 /// A number, a colour or a spectrum of a quantity.
@@ -35,7 +47,14 @@ pub fn spectrum(
         | ValueKind::Spectrum(_, dimension) => *dimension,
         _ => {
             let found = quantity.described();
-            ev.reports.tell(types::mismatch(what, &expected(spectral), &found, value.span));
+            let told = types::mismatch(what, &expected(spectral), &found, value.span);
+            let plain = spectral.dimension() == Dimension::NONE;
+            ev.reports.tell(match three(&quantity).and_then(|()| meant::said(ev, value.span)) {
+                Some(text) if plain => {
+                    types::colour_meant(told, text.trim_matches(['[', '(', ')', ']']), value.span)
+                }
+                _ => told,
+            });
             return None;
         }
     };

@@ -270,6 +270,18 @@ pub fn unknown_field(
     }
 }
 
+/// A field a record does not have, which looks like one that measures something else: `how` one
+/// follows from the other.
+pub fn unlike_field(owner: &str, key: &Word, right: &str, how: &str) -> Diagnostic {
+    let headline = format!("`{owner}` has no field `{}`", key.text);
+    Diagnostic::error(Code::NAME_UNKNOWN_FIELD, headline)
+        .label(key.span, "no such field")
+        .why(format!(
+            "`{right}` is another angle, from the lower to the upper edge of the picture."
+        ))
+        .help(format!("write `{right}`: {how}"))
+}
+
 /// A field twice in a record.
 pub fn field_twice(key: &Word, first: Span, owner: &str) -> Diagnostic {
     Diagnostic::error(
@@ -295,6 +307,28 @@ pub fn which_variant(place: &str, name: &str, all: &[&str], braces: Span) -> Dia
         format!("the word for {} belongs before the brace", with_article(name)),
     )
     .help(format!("write {} before the brace, as in `{example} {{ … }}`", listed(all, "or")))
+}
+
+/// Fields alone where a base states something whole: they would be all of it. `paths`: the same
+/// as changes of what is stated.
+pub fn whole_for_part(
+    place: &str,
+    name: &str,
+    braces: Span,
+    paths: &str,
+    item: Span,
+) -> Diagnostic {
+    Diagnostic::error(
+        Code::NAME_WHICH_VARIANT,
+        format!("`{place}` does not say which {name} it is"),
+    )
+    .label(
+        Span { end: braces.start, ..braces },
+        format!("the word for {} belongs before the brace", with_article(name)),
+    )
+    .why(format!("This states the {name} anew, and keeps nothing of what is stated already."))
+    .help(format!("write `{paths}` to change what is stated already"))
+    .mend(format!("write `{paths}`"), item, paths)
 }
 
 /// A variant that does not exist. `meant`: what it is called here, and how that may look.

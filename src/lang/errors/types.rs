@@ -266,6 +266,27 @@ pub fn vector_as_arguments(function: &str, components: &str, span: Span) -> Diag
         .help(format!("write `{right}`"))
 }
 
+/// `rotate(45 deg, y)`; `right`: the same with the axis first.
+pub fn turned_round(right: Option<String>, span: Span) -> Diagnostic {
+    let told = Diagnostic::error(Code::TYPE_ARGUMENTS, "`rotate` takes the axis first")
+        .label(span, "here the angle is first");
+    match right {
+        Some(right) => {
+            told.help(format!("write `{right}`")).mend(format!("write `{right}`"), span, right)
+        }
+        None => told.help("write `rotate(axis, angle)`"),
+    }
+}
+
+/// Three numbers where a colour belongs; `inside`: as written, within its brackets.
+pub fn colour_meant(told: Diagnostic, inside: &str, span: Span) -> Diagnostic {
+    let right = match inside.split(',').map(str::trim).collect::<Vec<_>>()[..] {
+        [r, g, b] => format!("rgb({r}, {g}, {b})"),
+        _ => return told,
+    };
+    told.help(format!("write `{right}`")).mend(format!("write `{right}`"), span, right)
+}
+
 /// A range that holds nothing or never ends.
 pub fn empty_range(standstill: bool, span: Span) -> Diagnostic {
     let (headline, help) = match standstill {

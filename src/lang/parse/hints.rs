@@ -13,6 +13,15 @@ pub fn hint(text: &str, at: usize) -> Option<String> {
     let after = after.lines().next().unwrap_or("").trim_start();
     let line = before.rsplit('\n').next().unwrap_or(before);
     let number = trailing(line, |c| c.is_ascii_digit() || c == '.');
+    let exponent = after.strip_prefix('^').map(str::trim_start);
+    if exponent.is_some_and(|it| it.starts_with(|c: char| c.is_alphabetic() || "(+.".contains(c))) {
+        return Some(
+            "write the exponent as a number from -16 to 16: nothing is computed there".into(),
+        );
+    }
+    if let Some(quantity) = super::unit_form::written(line, after) {
+        return Some(format!("write `{quantity}`"));
+    }
     if after.starts_with('°') {
         return Some("write `deg` for degrees: `35 deg`".into());
     }
@@ -70,8 +79,18 @@ fn block_or_name(line: &str, after: &str) -> Option<String> {
             "remove `:`, or name after it what this builds on: `{block}: base {{ … }}`"
         ));
     }
-    let named = KINDS.iter().any(|known| known.word == kind && known.named);
     let whole = format!("{head} {after}");
+    if let [_, name, "extends" | "from" | "inherits" | "like" | "of" | "uses", bases @ ..] =
+        &*whole.split('{').next().unwrap_or("").split_whitespace().collect::<Vec<_>>()
+        && block
+        && !bases.is_empty()
+    {
+        let bases = bases.join(" ");
+        return Some(format!(
+            "write `{kind} {name}: {bases} {{ … }}`: after the colon stands what it builds on"
+        ));
+    }
+    let named = KINDS.iter().any(|known| known.word == kind && known.named);
     let end = whole.find([':', '{', '=', '"', '('])?;
     if !(block || named) || head.len() > end || words.next().is_none() {
         return None;

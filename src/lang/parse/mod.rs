@@ -5,6 +5,7 @@ mod explain;
 mod foreign;
 mod hints;
 mod strings;
+mod unit_form;
 mod values;
 
 use std::sync::Arc;

@@ -12,7 +12,7 @@ pub fn not_followed(medium: &At<String>, at: Span, does: &str, index: bool) -> D
         .why("So far every integrator follows light from surface to surface, through clear matter alone.")
         .help(match index {
             true => "write an index without its imaginary part to see the medium clear; for metal write `material NAME: conductor { ior: … }` with this index",
-            false => "leave this field out, or set it to 0, to see the medium clear",
+            false => "to see the medium clear leave this field out, or write `0 / m`; in place of a medium of the shelf write one of its index alone, such as `homogeneous { ior: 1.333 }`",
         })
 }
 
