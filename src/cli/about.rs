@@ -89,13 +89,22 @@ impl About {
         // The film is part of the scene, and told above.
         if self.light_hash != other.light_hash && self.size == other.size {
             differ("", &|it| format!("the scene `{}` of hash {:.12}…", it.scene, it.light_hash));
-            differ("", &|it| match &*it.set {
+            differ("", &|it| match &*it.set.iter().filter(|set| counts(set)).collect::<Vec<_>>() {
                 [] => "made without --set".to_string(),
-                all => format!("made with --set `{}`", all.join("` --set `")),
+                all => format!(
+                    "made with {}",
+                    all.iter().map(|set| format!("--set `{set}`")).collect::<Vec<_>>().join(" ")
+                ),
             });
         }
         all
     }
+}
+
+/// Whether the samples can depend on what an argument of --set says.
+fn counts(set: &str) -> bool {
+    let path = set.split('=').next().unwrap_or(set).trim();
+    !["caption", "film.exposure", "stop"].contains(&path) && !path.starts_with("stop.")
 }
 
 /// x0,y0,x1,y1, as --crop has it.

@@ -85,6 +85,10 @@ impl Bar {
 }
 
 impl Progress for Bar {
+    fn cancelled(&self) -> bool {
+        stop::asked()
+    }
+
     fn advance(&self, done: u64, total: u64) {
         if !self.shown {
             return;

@@ -9,7 +9,7 @@ use super::bar::Watcher;
 use super::finish::remark;
 use super::kept::{Kept, Kind, contradicting};
 use super::limits::percent;
-use super::log::{Event, Log, shown};
+use super::log::{self, Event, Log, shown};
 use super::options::Render;
 use super::output::Output;
 use crate::diag::words::{counted, grouped};
@@ -34,7 +34,7 @@ pub fn path(options: &Render, output: &Output, name: &str) -> Option<PathBuf> {
 pub fn hold(options: &Render, output: &Output, asked: &Asked) -> Result<Option<Held>, String> {
     let Some(path) = path(options, output, &asked.about.render) else { return Ok(None) };
     let told = |clause: String| format!("the checkpoint `{}` {clause}", shown(&path));
-    files::whole::ready(&path).map_err(|failure| told(failure.to_string()))?;
+    let _folders = files::whole::ready(&path).map_err(|failure| told(failure.to_string()))?;
     let held =
         Held::take(&path).map_err(|failure| told(failure.to_string()))?.ok_or_else(|| {
             told(
@@ -114,7 +114,7 @@ pub fn begin(
     };
     let resumed = |samples: u64, seconds: f64| Event::Resumed {
         render: name.clone(),
-        file: shown(&path),
+        file: log::name(&path),
         samples,
         seconds,
     };
@@ -216,7 +216,7 @@ impl<'a> Keeper<'a> {
             Ok(()) => {
                 self.log.tell(&Event::Checkpoint {
                     render: words.about.render.clone(),
-                    file: shown(path),
+                    file: log::name(path),
                     samples: taken.ends().max().unwrap_or(0) - taken.first(),
                     seconds,
                     ended,

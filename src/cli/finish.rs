@@ -5,7 +5,7 @@ use std::path::Path;
 use super::about::{About, Frame};
 use super::asked::Asked;
 use super::kept::{Kept, Kind};
-use super::log::{Error, Event, Log, shown};
+use super::log::{Error, Event, Log, name, shown};
 use super::output::Paths;
 use super::{End, bias, picture, stop, terminal};
 use crate::diag::harmless_text;
@@ -64,7 +64,7 @@ impl Finish<'_> {
         })?;
         for path in paths {
             let render = self.about.render.clone();
-            self.log.tell(&Event::Written { render, file: shown(&path) });
+            self.log.tell(&Event::Written { render, file: name(&path) });
         }
         Ok(())
     }
@@ -93,7 +93,7 @@ impl Finish<'_> {
             End::NotDone
         })?;
         let render = self.about.render.clone();
-        self.log.tell(&Event::Written { render, file: shown(path) });
+        self.log.tell(&Event::Written { render, file: name(path) });
         Ok(())
     }
 }

@@ -1,18 +1,15 @@
 //! `scn fmt`: scene files in the one style there is.
 
-use std::io::Read;
 use std::path::Path;
 
+use super::log::shown;
 use super::options::Fmt;
 use super::{End, diff, scene_file, terminal};
 use crate::diag::{self, Sources};
 use crate::{files, lang};
 
-/// The name that stands for stdin and stdout.
-const STREAMS: &str = "-";
-
 pub fn run(options: &Fmt) -> End {
-    let streams = |path: &Path| path.as_os_str() == STREAMS;
+    let streams = |path: &Path| path.as_os_str() == scene_file::STREAMS;
     if options.files.len() > 1 && options.files.iter().any(|path| streams(path)) {
         terminal::fail("`-` stands for stdin and stdout, and takes no files beside it");
         return End::NotDone;
@@ -58,11 +55,11 @@ fn file(path: &Path, options: &Fmt) -> End {
     }
     match files::whole::replace(path, text.as_bytes()) {
         Ok(()) => {
-            terminal::say(&diag::harmless_text(&format!("formatted {}\n", path.display())));
+            terminal::say(&format!("formatted {}\n", shown(path)));
             End::Well
         }
         Err(failure) => {
-            terminal::fail(&format!("the scene file `{}` {failure}", path.display()));
+            terminal::fail(&format!("the scene file `{}` {failure}", shown(path)));
             End::NotDone
         }
     }
@@ -71,17 +68,7 @@ fn file(path: &Path, options: &Fmt) -> End {
 /// From stdin to stdout.
 fn stream(options: &Fmt) -> End {
     let path = Path::new("stdin");
-    let mut bytes = Vec::new();
-    let limit = files::text::LIMIT;
-    let read = std::io::stdin().lock().take(limit + 1).read_to_end(&mut bytes);
-    let raw = match read.map_err(files::Failure::from) {
-        Ok(_) if bytes.len() as u64 > limit => {
-            Err(files::Failure::new("holds more than 8 MB, the most that is read"))
-        }
-        Ok(_) => files::text::decode(bytes),
-        Err(failure) => Err(failure),
-    };
-    let raw = match raw {
+    let raw = match scene_file::from_stdin() {
         Ok(raw) => raw,
         Err(failure) => {
             terminal::fail(&format!("the text on stdin {failure}"));
@@ -101,13 +88,13 @@ fn stream(options: &Fmt) -> End {
 /// The text in the style; None if it has faults, which have been told.
 fn formatted(path: &Path, text: &str) -> Option<String> {
     let mut sources = Sources::new();
-    let id = sources.add(path.to_string_lossy(), text);
+    let id = sources.add_file(path, text);
     match lang::format::format(text, id) {
         Ok(text) => Some(text),
         Err(faults) => {
             let faults = diag::in_order(faults, &sources);
             let look = terminal::stderr_look();
-            let subject = format!("{}, which stays as it is", path.display());
+            let subject = format!("{}, which stays as it is", shown(path));
             terminal::tell(&diag::print::report(&faults, &sources, &subject, look));
             None
         }
@@ -118,7 +105,7 @@ fn formatted(path: &Path, text: &str) -> Option<String> {
 fn compared(path: &Path, old: &str, new: &str, options: &Fmt) -> End {
     terminal::say(&match options.diff {
         true => diff::unified(path, old, new),
-        false => diag::harmless_text(&format!("{}\n", path.display())),
+        false => format!("{}\n", shown(path)),
     });
     if options.check { End::Held } else { End::Well }
 }

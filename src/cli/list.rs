@@ -11,8 +11,8 @@ use super::{End, terminal};
 use crate::diag::near;
 use crate::diag::print::Look;
 use crate::diag::words::did_you_mean;
-use crate::scene::KINDS;
 use crate::scene::schema::{Kind, Record, Type};
+use crate::scene::{self, KINDS};
 use entries::{Entry, entries};
 
 /// Columns of the margin before the text on a field.
@@ -40,15 +40,17 @@ pub fn run(options: &List) -> End {
                         places.join(" ")
                     )
                 } else {
-                    let hint = match near(
-                        word,
-                        all.into_iter().chain(own::words()).chain(spectra::further_words()),
-                    )
-                    .as_slice()
-                    {
-                        [] => "`scn list` shows the words it has".to_string(),
-                        words => did_you_mean(words.iter().copied()),
-                    };
+                    let hint = elsewhere(word).unwrap_or_else(|| {
+                        match near(
+                            word,
+                            all.into_iter().chain(own::words()).chain(spectra::further_words()),
+                        )
+                        .as_slice()
+                        {
+                            [] => "`scn list` shows the words it has".to_string(),
+                            words => did_you_mean(words.iter().copied()),
+                        }
+                    });
                     format!("the language has no word `{word}`; {hint}")
                 };
                 terminal::fail(&fault);
@@ -58,6 +60,21 @@ pub fn run(options: &List) -> End {
     };
     terminal::say(&text);
     End::Well
+}
+
+/// What a word of other programs, or of everyday speech, is called here.
+fn elsewhere(word: &str) -> Option<String> {
+    let (choices, advice) = scene::elsewhere::anywhere(word);
+    let kind = scene::elsewhere::kind(word).map(|kind| format!("the kind `{kind}`"));
+    let choices = choices.into_iter().map(|(of, meant)| format!("the {of} `{meant}`"));
+    let fields = scene::elsewhere::fields(word).map(|field| format!("the field `{field}`"));
+    let mut all: Vec<String> = kind.into_iter().chain(choices).chain(fields).collect();
+    let what = match all.pop() {
+        None => return advice.first().map(|advice| advice.to_string()),
+        Some(last) if all.is_empty() => last,
+        Some(last) => format!("{} or {last}", all.join(", ")),
+    };
+    Some(format!("what is meant may be {what}"))
 }
 
 /// Every kind with its variants.
@@ -249,6 +266,19 @@ mod tests {
         }
         let page = word_page("cm", &[], Look::PLAIN).unwrap();
         assert!(page.contains("a length. 1 cm is 0.01 m."), "{page}");
+    }
+
+    #[test]
+    fn words_of_elsewhere_are_known() {
+        let told = |word| elsewhere(word).unwrap();
+        assert_eq!(told("Lambert"), "what is meant may be the material `diffuse`");
+        assert_eq!(
+            told("brdf"),
+            "what is meant may be the kind `material` or the field `material`"
+        );
+        assert!(told("cylinder").starts_with("use a `mesh`"));
+        assert!(told("rough").contains("smooth as yet"));
+        assert_eq!(elsewhere("glowing"), None);
     }
 
     #[test]

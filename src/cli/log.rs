@@ -12,8 +12,8 @@ use super::options::Form;
 use super::shard::Slice;
 use super::terminal;
 use super::words::{duration, rate, size};
-use crate::diag::harmless_text;
 use crate::diag::words::{counted, grouped};
+use crate::diag::{harmless_line, harmless_text};
 use crate::measure::noise::Noise;
 use crate::run::Rule;
 
@@ -77,8 +77,9 @@ pub enum Event {
     },
     /// Something about the picture that is no fault of the scene.
     Remark { render: String, text: String },
-    /// It was asked to stop. `samples` of each pixel are in the picture, or in part of it.
-    Interrupted { render: String, samples: u64, of: Option<u64>, tiles: Option<[usize; 2]> },
+    /// It was asked to stop. `samples` of each pixel are in the picture, or in part of it. No render
+    /// while the scene and its files are read.
+    Interrupted { render: Option<String>, samples: u64, of: Option<u64>, tiles: Option<[usize; 2]> },
     /// A file is complete.
     Written { render: String, file: String },
     /// Warnings and errors, as `scn lint --format json` writes them.
@@ -221,7 +222,7 @@ fn human(event: &Event) -> String {
             mean_samples,
             ..
         } => {
-            let mut all = counted(*rays, "ray");
+            let mut all = counted(*rays, "camera ray");
             if *shadow_rays > 0 {
                 all.push_str(&format!(" and {}", counted(*shadow_rays, "shadow ray")));
             }
@@ -250,14 +251,14 @@ fn human(event: &Event) -> String {
         Event::Resumed { file, samples, seconds, .. } => line(
             "resumed",
             &match samples {
-                0 => format!("nothing: there is no {file}, so it begins anew"),
+                0 => format!("nothing: there is no {}, so it begins anew", harmless_line(file)),
                 _ => {
                     let done = counted(*samples, "sample");
-                    format!("{file}, {done} a pixel in {}", duration(*seconds))
+                    format!("{}, {done} a pixel in {}", harmless_line(file), duration(*seconds))
                 }
             },
         ),
-        Event::Checkpoint { file, ended: true, .. } => line("kept", file),
+        Event::Checkpoint { file, ended: true, .. } => line("kept", &harmless_line(file)),
         Event::Checkpoint { .. } => String::new(),
         Event::Merged { render, parts, samples } => {
             let (parts, samples) = (counted(*parts as u64, "part"), counted(*samples, "sample"));
@@ -266,9 +267,14 @@ fn human(event: &Event) -> String {
         Event::Bias { told, .. } => line("bias", &told.line()),
         // Told on stderr.
         Event::Progress { .. } | Event::Remark { .. } | Event::Diagnostics { .. } => String::new(),
+        Event::Interrupted { render: None, .. } => {
+            "stopped while the scene was read; nothing was rendered\n".to_string()
+        }
         Event::Interrupted { samples, of, tiles, .. } => line(
             "stopped",
             &match tiles {
+                None if *samples == 0 => "before the first ray; nothing was rendered".to_string(),
+                Some([0, _]) => "in the first sample; nothing is written".to_string(),
                 None => match of {
                     Some(of) => {
                         format!("after {} of {} samples a pixel", grouped(*samples), grouped(*of))
@@ -282,7 +288,7 @@ fn human(event: &Event) -> String {
                 }
             },
         ),
-        Event::Written { file, .. } => line("wrote", file),
+        Event::Written { file, .. } => line("wrote", &harmless_line(file)),
         Event::Done { pictures, seconds } => {
             format!("\n{} in {}\n", counted(*pictures as u64, "picture"), duration(*seconds))
         }
@@ -291,12 +297,14 @@ fn human(event: &Event) -> String {
 
 fn loaded(scene: &str, renders: &[String], files: &[Loaded], seconds: f64) -> String {
     let renders = counted(renders.len() as u64, "render");
+    let scene = harmless_line(scene);
     let mut text = format!("{scene}: {renders}, loaded in {}\n", duration(seconds));
     let width = files.iter().map(|file| file.name.chars().count()).max().unwrap_or(0);
     let short = |file: &Loaded| size(file.bytes);
     let widest = files.iter().map(|file| short(file).len()).max().unwrap_or(0);
     for file in files {
         let Loaded { name, triangles, .. } = file;
+        let name = harmless_line(name);
         let mut row = format!("{name:<width$}  {:>widest$}", short(file));
         if let Some(triangles) = triangles {
             row.push_str(&format!("  {}", counted(*triangles, "triangle")));
@@ -306,9 +314,14 @@ fn loaded(scene: &str, renders: &[String], files: &[Loaded], seconds: f64) -> St
     text
 }
 
-/// A name for people and machines; bytes that are no text become marks.
-pub fn shown(path: &Path) -> String {
+/// A name for machines; bytes that are no text become marks.
+pub fn name(path: &Path) -> String {
     path.to_string_lossy().into_owned()
+}
+
+/// A name for people, on one line.
+pub fn shown(path: &Path) -> String {
+    harmless_line(&name(path))
 }
 
 #[cfg(test)]
@@ -372,11 +385,29 @@ mod tests {
                scene     99,785 triangles, 1 material, no lights\n  \
                built     in 0.10 s, 12.0 MB\n  \
                picture   512 × 512, 16 samples a pixel\n  \
-               rendered  in 2 s: 4,194,304 rays and 1,000 shadow rays, 2.1 million rays a second\n  \
+               rendered  in 2 s: 4,194,304 camera rays and 1,000 shadow rays, 2.1 million rays a second\n  \
                memory    40.0 MB at most\n  \
                error     2.34 %, with 95 % confidence 2 % to 3.1 %\n  \
                wrote     out/w01/a.exr\n\
              \n1 picture in 2.50 s\n"
         );
+    }
+
+    #[test]
+    fn a_stop_tells_what_there_is() {
+        let told = |render: Option<&str>, samples, tiles| {
+            let render = render.map(str::to_string);
+            human(&Event::Interrupted { render, samples, of: Some(16), tiles })
+        };
+        assert_eq!(told(None, 0, None), "stopped while the scene was read; nothing was rendered\n");
+        assert_eq!(
+            told(Some("a"), 0, None),
+            line("stopped", "before the first ray; nothing was rendered")
+        );
+        assert_eq!(
+            told(Some("a"), 0, Some([0, 9])),
+            line("stopped", "in the first sample; nothing is written")
+        );
+        assert_eq!(told(Some("a"), 3, None), line("stopped", "after 3 of 16 samples a pixel"));
     }
 }

@@ -4,6 +4,7 @@
 //! (faults, progress) to stderr.
 
 mod options;
+mod elsewhere;
 mod terminal;
 mod stop;
 mod words;
@@ -81,6 +82,7 @@ pub fn main() -> ExitCode {
     let options = match options::Options::try_parse() {
         Ok(options) => options,
         Err(message) => {
+            let message = elsewhere::offered(message);
             // Help and version are no faults; clap sends them to stdout.
             let printed = message.print();
             if message.use_stderr() {

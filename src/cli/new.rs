@@ -2,6 +2,7 @@
 
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
+use super::log::shown;
 use super::options::New;
 use super::{End, terminal};
 use crate::diag::harmless_text;
@@ -17,7 +18,7 @@ pub fn run(options: &New) -> End {
     let named = path.file_name().is_some_and(|name| name != ".scn");
     if !named || path.as_os_str().to_string_lossy().ends_with(['/', '.', MAIN_SEPARATOR]) {
         let why = "names no file\n  write a name such as `scene` or `figures/scene`";
-        terminal::fail(&format!("`{}` {why}", path.display()));
+        terminal::fail(&format!("`{}` {why}", shown(&path)));
         return End::NotDone;
     }
     if path.extension().is_none_or(|ending| ending != "scn") {
@@ -25,7 +26,7 @@ pub fn run(options: &New) -> End {
         longer.push(".scn");
         path = PathBuf::from(longer);
     }
-    let shown = path.display();
+    let shown = shown(&path);
     match files::whole::create(&path, SCENE.as_bytes()) {
         Ok(()) => {
             let text = format!(

@@ -3,6 +3,7 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use super::log::shown;
 use crate::files;
 
 /// What -o says.
@@ -32,7 +33,7 @@ impl Output {
             let stem = scene.file_stem().unwrap_or(OsStr::new("scene"));
             return Ok(Self::Folder(Path::new("out").join(stem)));
         };
-        let shown = path.display();
+        let shown = shown(path);
         if path.as_os_str().is_empty() {
             return Err("-o needs the name of a folder or of a file".to_string());
         }

@@ -8,7 +8,7 @@ use super::asked::Asked;
 use super::bar::{Bar, Watcher};
 use super::checkpoint::{self, Keeper};
 use super::finish::Finish;
-use super::log::{Event, Loaded, Log, shown};
+use super::log::{self, Event, Loaded, Log, shown};
 use super::options::{Form, Render};
 use super::output::Output;
 use super::replay::{self, Replay};
@@ -17,6 +17,7 @@ use crate::cli::words::NAMES;
 use crate::diag::words::few;
 use crate::diag::{self, Diagnostic, Level, Sources};
 use crate::files::hold::Held;
+use crate::files::whole::Folders;
 use crate::load::{Loader, Stage};
 use crate::prepare::{self, Prepared};
 use crate::render::tiles::Threads;
@@ -83,7 +84,7 @@ impl<'a> Session<'a> {
             scene_file::compile(&options.file, &options.set, &options.only, &mut self.sources)
                 .ok_or(End::NotDone)?;
         if stop::asked() {
-            return Err(End::Interrupted);
+            return Err(self.stopped(None));
         }
         if compiled.diagnostics.iter().any(|d| d.level == Level::Error) {
             self.tell(compiled.diagnostics);
@@ -91,13 +92,13 @@ impl<'a> Session<'a> {
         }
         let chosen = self.chosen(compiled.renders, &compiled.setups, &output)?;
         let ready = self.load(compiled.diagnostics, chosen, &compiled.outline)?;
-        let (asked, _held) = self.settings_fit(&ready, &output)?;
+        let (asked, _folders, _held) = self.settings_fit(&ready, &output)?;
         self.tell_loaded(&ready);
 
         let mut pictures = 0;
         for (render, asked) in ready.iter().zip(&asked) {
             if stop::asked() {
-                return Err(End::Interrupted);
+                return Err(self.stopped(Some(&render.name)));
             }
             self.render(render, asked, &output)?;
             pictures += 1;
@@ -120,7 +121,7 @@ impl<'a> Session<'a> {
             Some(path) if chosen.len() != 1 => Err(failed(&format!(
                 "`{}` holds one picture, but {} renders were asked for\n  choose one with --only \
                  NAME, or give a folder: {}",
-                path.display(),
+                shown(path),
                 chosen.len(),
                 few(chosen.iter().map(|r| r.name.value.as_str()), NAMES),
             ))),
@@ -144,6 +145,9 @@ impl<'a> Session<'a> {
         for render in chosen {
             let (stage, faults) = loader.stage(&render.scene, &mut self.sources);
             found.extend(faults);
+            if stop::asked() {
+                return Err(self.stopped(None));
+            }
             if let Some(stage) = stage {
                 let mut faults = prepare::check(&stage, &settings);
                 if self.options.unbiased {
@@ -151,9 +155,6 @@ impl<'a> Session<'a> {
                 }
                 names.push((render.name.clone(), faults));
                 ready.push(Ready { name: render.name.value, stage });
-            }
-            if stop::asked() {
-                break;
             }
         }
         self.bar.end();
@@ -175,11 +176,19 @@ impl<'a> Session<'a> {
         );
         let faulty = found.iter().any(|diagnostic| diagnostic.level == Level::Error);
         if stop::asked() {
-            return Err(End::Interrupted);
+            return Err(self.stopped(None));
         }
         self.tell(found);
         self.told.extend(known);
         if faulty { Err(End::SceneErrors) } else { Ok(ready) }
+    }
+
+    /// Tells of a stop before the first ray: of one render, or while the scene is read.
+    fn stopped(&self, render: Option<&str>) -> End {
+        self.bar.end();
+        let render = render.map(str::to_string);
+        self.log.tell(&Event::Interrupted { render, samples: 0, of: None, tiles: None });
+        End::Interrupted
     }
 
     fn settings(&self) -> prepare::Settings {
@@ -192,13 +201,13 @@ impl<'a> Session<'a> {
 
     /// What is asked for, if --scale, --crop and --shard suit the scenes, checkpoints the renders,
     /// and the pictures can be written: found out before the work, not after it. With it come the
-    /// checkpoints, held.
+    /// folders that were made for them, and the checkpoints, held.
     fn settings_fit(
         &self,
         ready: &[Ready],
         output: &Output,
-    ) -> Result<(Vec<Asked>, Vec<Held>), End> {
-        let mut all = Vec::new();
+    ) -> Result<(Vec<Asked>, Vec<Folders>, Vec<Held>), End> {
+        let (mut all, mut folders) = (Vec::new(), Vec::new());
         for Ready { name, stage } in ready {
             if let Some(unfit) = self.settings().unfit(stage) {
                 return Err(failed(&format!("render `{name}`: {unfit}")));
@@ -223,13 +232,16 @@ impl<'a> Session<'a> {
                 let help = "name another file or folder with -o";
                 return Err(failed(&format!("the {what} `{}` {why}\n  {help}", shown(&path))));
             }
-            files::whole::ready(&path)
-                .map_err(|failure| failed(&format!("the {what} `{}` {failure}", shown(&path))))?;
+            folders.push(
+                files::whole::ready(&path).map_err(|failure| {
+                    failed(&format!("the {what} `{}` {failure}", shown(&path)))
+                })?,
+            );
         }
         let held = all.iter().map(|asked| checkpoint::hold(self.options, output, asked));
         let held: Result<Vec<_>, _> = held.collect();
         let held = held.map_err(|why| failed(&why))?.into_iter().flatten().collect();
-        Ok((all, held))
+        Ok((all, folders, held))
     }
 
     /// The files that a render is to become: its pictures, or its part.
@@ -249,7 +261,7 @@ impl<'a> Session<'a> {
             }
         }
         self.log.tell(&Event::Loaded {
-            scene: shown(&self.options.file),
+            scene: log::name(&self.options.file),
             renders: ready.iter().map(|render| render.name.clone()).collect(),
             files,
             seconds: self.bar.seconds(),
@@ -279,7 +291,7 @@ impl<'a> Session<'a> {
             seconds: self.bar.seconds() - begun,
         });
         if stop::asked() {
-            return Err(End::Interrupted);
+            return Err(self.stopped(Some(name)));
         }
 
         let Prepared { world, integrator, .. } = &prepared;
@@ -325,7 +337,7 @@ impl<'a> Session<'a> {
         };
         if interrupted {
             self.log.tell(&Event::Interrupted {
-                render: name.clone(),
+                render: Some(name.clone()),
                 samples: outcome.samples,
                 of: asked.samples(),
                 tiles,

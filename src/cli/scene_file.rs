@@ -1,5 +1,6 @@
 //! From the scene file's name to its renders, with the texts it imports.
 
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use super::log::shown;
@@ -54,7 +55,7 @@ pub fn chosen(
     let names: Vec<String> = renders.iter().map(|render| render.name.value.clone()).collect();
     let all: Vec<&str> = names.iter().map(String::as_str).collect();
     if let Some(unknown) = only.iter().find(|name| !names.contains(name)) {
-        let mut text = format!("{} has no render `{unknown}`", file.display());
+        let mut text = format!("{} has no render `{unknown}`", shown(file));
         let nearest = near(unknown, all.iter().copied());
         if setups.contains(unknown) {
             let example = format!("render {unknown}_alone: {unknown} {{}}");
@@ -83,13 +84,27 @@ pub fn no_errors(found: Vec<Diagnostic>, sources: &Sources, scene: &str) -> Resu
     Err(End::SceneErrors)
 }
 
+/// The name that stands for stdin and stdout.
+pub const STREAMS: &str = "-";
+
+/// The text that comes by stdin.
+pub fn from_stdin() -> Result<String, files::Failure> {
+    let limit = files::text::LIMIT;
+    let mut bytes = Vec::new();
+    std::io::stdin().lock().take(limit + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limit {
+        return Err(files::Failure::new("holds more than 8 MB, the most that is read"));
+    }
+    files::text::decode(bytes)
+}
+
 /// Why a scene file could not be read, with what was probably meant.
 pub fn unread(path: &Path, failure: &files::Failure) -> String {
-    let mut text = format!("the scene file `{}` {failure}", path.display());
+    let mut text = format!("the scene file `{}` {failure}", shown(path));
     if let Ok(whole) = std::path::absolute(path)
         && whole != path
     {
-        text.push_str(&format!("\n  looked for: {}", whole.display()));
+        text.push_str(&format!("\n  looked for: {}", shown(&whole)));
     }
     // The ending is easily forgotten.
     let mut longer = PathBuf::from(path).into_os_string();

@@ -123,7 +123,7 @@ pub static SHELVES: &[Shelf] = &[
     },
     Shelf {
         word: "matter",
-        doc: "Media: index, scattering and absorption of liquids and translucent matter.",
+        doc: "Media: index, scattering and absorption of liquids and translucent matter. Media that scatter or absorb cannot be rendered yet; those that are clear can.",
         parts: &[liquids::SHELF, translucent::SHELF, WATER],
     },
     Shelf {

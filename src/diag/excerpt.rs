@@ -79,7 +79,7 @@ impl Excerpt {
         }
         for ((label, place), (start, end)) in diagnostic.labels.iter().zip(&places).zip(moved) {
             let position = lines.position(place.file, place.start);
-            let text = visible(&label.text);
+            let text = harmless_text(&label.text);
             excerpt.labels.push(Shown { start, end: end.max(start), position, text });
         }
         excerpt
@@ -113,7 +113,7 @@ impl Excerpt {
             if previous.is_none_or(|previous| previous + 1 != line) {
                 let start = self.text.len();
                 self.segments.push(Segment {
-                    name: visible(&source.name).replace('\n', "\u{240a}"),
+                    name: harmless_line(&source.name),
                     first_line: source.first_line + line,
                     lines: 0,
                     start,
@@ -205,6 +205,11 @@ pub fn harmless_text(text: &str) -> String {
     text.chars().map(|c| if c == '\n' { c } else { harmless(c) }).collect()
 }
 
+/// The same of what is to stay on one line, such as the name of a file: newlines are made visible.
+pub fn harmless_line(text: &str) -> String {
+    text.chars().map(|c| if c == '\n' { '\u{240a}' } else { harmless(c) }).collect()
+}
+
 /// A character that moves no cursor and turns no text around.
 fn harmless(c: char) -> char {
     match c {
@@ -220,11 +225,6 @@ fn harmless(c: char) -> char {
         | '\u{feff}' => '\u{fffd}',
         c => c,
     }
-}
-
-/// Words for a terminal: newlines stay.
-pub(super) fn visible(text: &str) -> String {
-    text.chars().map(|c| if c == '\n' { c } else { harmless(c) }).collect()
 }
 
 #[cfg(test)]

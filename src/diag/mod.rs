@@ -20,7 +20,7 @@ pub mod words;
 
 pub use code::{CODES, Code, find};
 pub use diagnostic::{Diagnostic, Edit, Label, Level, Mend};
-pub use excerpt::harmless_text;
+pub use excerpt::{harmless_line, harmless_text};
 pub use near::near;
 pub use order::{count, in_order, tally};
 pub use sources::{Source, Sources};

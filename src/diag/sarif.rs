@@ -1,10 +1,12 @@
 //! Diagnostics in SARIF 2.1.0, the form in which code hosts and editors take the findings of
 //! tools. Columns count characters (`unicodeCodePoints`).
 
+use std::path::Path;
+
 use serde_json::{Value, json};
 
 use super::lines::Lines;
-use super::{Code, Diagnostic, Sources, Span};
+use super::{Code, Diagnostic, Mend, Sources, Span};
 
 /// A log of one run with all `diagnostics`, by the tool `name` in its `version`.
 pub fn report(
@@ -57,9 +59,13 @@ fn result(diagnostic: &Diagnostic, rules: &[Code], lines: &mut Lines<'_>) -> Val
             result["relatedLocations"] = others.collect();
         }
     }
-    if !diagnostic.mends.is_empty() {
-        result["fixes"] = diagnostic
-            .mends
+    // What is no file cannot be changed.
+    let of_files = |mend: &&Mend| {
+        mend.edits.iter().all(|edit| lines.sources().get(edit.span.file).path.is_some())
+    };
+    let mends: Vec<&Mend> = diagnostic.mends.iter().filter(of_files).collect();
+    if !mends.is_empty() {
+        result["fixes"] = mends
             .iter()
             .map(|mend| {
                 let changes = mend.edits.iter().map(|edit| {
@@ -80,10 +86,17 @@ fn result(diagnostic: &Diagnostic, rules: &[Code], lines: &mut Lines<'_>) -> Val
 }
 
 fn location(span: Span, text: &str, lines: &mut Lines<'_>) -> Value {
-    let mut location = json!({ "physicalLocation": {
-        "artifactLocation": artifact(span, lines),
-        "region": region(span, lines),
-    } });
+    let source = lines.sources().get(span.file);
+    let mut location = match source.path {
+        Some(_) => json!({ "physicalLocation": {
+            "artifactLocation": artifact(span, lines),
+            "region": region(span, lines),
+        } }),
+        None => json!({ "logicalLocations": [{
+            "name": &*source.name,
+            "fullyQualifiedName": format!("{} {}", source.name, source.text),
+        }] }),
+    };
     if !text.is_empty() {
         location["message"] = json!({ "text": text });
     }
@@ -91,7 +104,8 @@ fn location(span: Span, text: &str, lines: &mut Lines<'_>) -> Value {
 }
 
 fn artifact(span: Span, lines: &Lines<'_>) -> Value {
-    json!({ "uri": uri(&lines.sources().get(span.file).name) })
+    let source = lines.sources().get(span.file);
+    json!({ "uri": uri(source.path.as_deref().unwrap_or(Path::new(&*source.name))) })
 }
 
 fn region(span: Span, lines: &mut Lines<'_>) -> Value {
@@ -106,11 +120,11 @@ fn region(span: Span, lines: &mut Lines<'_>) -> Value {
 
 /// A path as a reference of RFC 3986: slashes between its parts, all else that has a meaning there
 /// in percent escapes.
-fn uri(path: &str) -> String {
-    let path = if cfg!(windows) { path.replace('\\', "/") } else { path.to_string() };
+fn uri(path: &Path) -> String {
     let mut uri = String::new();
-    for byte in path.bytes() {
+    for &byte in path.as_os_str().as_encoded_bytes() {
         match byte {
+            b'\\' if cfg!(windows) => uri.push('/'),
             b'/' | b'-' | b'.' | b'_' | b'~' => uri.push(char::from(byte)),
             _ if byte.is_ascii_alphanumeric() => uri.push(char::from(byte)),
             _ => uri.push_str(&format!("%{byte:02X}")),
@@ -125,8 +139,35 @@ mod tests {
 
     #[test]
     fn paths_become_references() {
-        assert_eq!(uri("../scenes/a.scn"), "../scenes/a.scn");
-        assert_eq!(uri("a b:c%\u{e9}.scn"), "a%20b%3Ac%25%C3%A9.scn");
+        assert_eq!(uri(Path::new("../scenes/a.scn")), "../scenes/a.scn");
+        assert_eq!(uri(Path::new("a b:c%\u{e9}.scn")), "a%20b%3Ac%25%C3%A9.scn");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn names_that_are_no_text_keep_their_bytes() {
+        use std::os::unix::ffi::OsStrExt;
+        let path = Path::new(std::ffi::OsStr::from_bytes(b"a\xff.scn"));
+        assert_eq!(uri(path), "a%FF.scn");
+        let mut sources = Sources::new();
+        let file = sources.add_file(path, "x");
+        let fault = Diagnostic::error(Code::SYNTAX_UNEXPECTED, "").label(Span::new(file, 0, 1), "");
+        let log = report(&[fault], &sources, ("scn", "0"));
+        let place = &log["runs"][0]["results"][0]["locations"][0]["physicalLocation"];
+        assert_eq!(place["artifactLocation"]["uri"], "a%FF.scn");
+    }
+
+    #[test]
+    fn arguments_are_no_files() {
+        let mut sources = Sources::new();
+        let set = sources.add_argument("--set", "a=b");
+        let fault = Diagnostic::error(Code::SYNTAX_UNEXPECTED, "wrong")
+            .label(Span::new(set, 0, 1), "here")
+            .mend("write `c`", Span::new(set, 0, 1), "c");
+        let result = &report(&[fault], &sources, ("scn", "0"))["runs"][0]["results"][0];
+        let place = &result["locations"][0];
+        assert_eq!(place["logicalLocations"][0]["fullyQualifiedName"], "--set a=b");
+        assert_eq!((place.get("physicalLocation"), result.get("fixes")), (None, None));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 use super::excerpt::harmless_text;
 use super::lines::{Lines, Position};
-use super::{Diagnostic, Level, Sources};
+use super::{Diagnostic, Level, Sources, Span};
 
 /// `file:line:column: warning[code]: headline`; without a place, without it.
 pub fn lines(diagnostics: &[Diagnostic], sources: &Sources) -> String {
@@ -25,7 +25,11 @@ pub fn github(diagnostics: &[Diagnostic], sources: &Sources) -> String {
     let mut text = String::new();
     for diagnostic in diagnostics {
         let mut properties = Vec::new();
-        if let Some((name, start, end)) = place(diagnostic, &mut lines) {
+        // An argument is no file that could be annotated.
+        let file = |span: Span| sources.get(span.file).path.is_some();
+        if let Some((name, start, end)) = place(diagnostic, &mut lines)
+            && diagnostic.place().is_some_and(file)
+        {
             properties.push(format!("file={}", property(name)));
             properties.push(format!("line={},col={}", start.line, start.column));
             properties.push(format!("endLine={}", end.line));
@@ -97,6 +101,15 @@ mod tests {
         let expected = "a,b:c.scn:2:1: warning[syntax/unexpected]: 100 % lost\n\
                         error[syntax/comment]: \u{241b}[31mred\n";
         assert_eq!(told, expected);
+    }
+
+    #[test]
+    fn arguments_are_annotated_nowhere() {
+        let mut sources = Sources::new();
+        let set = sources.add_argument("--set", "a=b");
+        let fault =
+            Diagnostic::error(Code::SYNTAX_UNEXPECTED, "no").label(Span::new(set, 0, 1), "");
+        assert_eq!(github(&[fault], &sources), "::error title=syntax/unexpected::no\n");
     }
 
     #[test]

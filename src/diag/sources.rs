@@ -1,5 +1,6 @@
 //! The texts that spans point into.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::{FileId, Span};
@@ -9,6 +10,8 @@ use super::{FileId, Span};
 pub struct Source {
     /// The name a person knows it by: the path as given, or `--set` for an argument.
     pub name: Arc<str>,
+    /// Where it lies, whose bytes the name may have lost; None if it is no file.
+    pub path: Option<PathBuf>,
     /// The text, or the part of it that is kept.
     pub text: Arc<str>,
     /// Line number of the first line of `text`, counted from 1; above 1 for an excerpt.
@@ -40,7 +43,23 @@ impl Sources {
         first_line: usize,
     ) -> FileId {
         let id = FileId(self.all.len() as u32);
-        self.all.push(Source { name: name.into(), text: text.into(), first_line });
+        let name = name.into();
+        let path = Some(PathBuf::from(&*name));
+        self.all.push(Source { name, path, text: text.into(), first_line });
+        id
+    }
+
+    /// Adds the text of a file.
+    pub fn add_file(&mut self, path: &Path, text: impl Into<Arc<str>>) -> FileId {
+        let id = self.add(path.to_string_lossy(), text);
+        self.all[id.0 as usize].path = Some(path.to_path_buf());
+        id
+    }
+
+    /// Adds a text that is no file, such as an argument.
+    pub fn add_argument(&mut self, name: impl Into<Arc<str>>, text: impl Into<Arc<str>>) -> FileId {
+        let id = self.add(name, text);
+        self.all[id.0 as usize].path = None;
         id
     }
 

@@ -1,7 +1,7 @@
 //! PNG files: eight bits a channel, encoded as sRGB, with words about the picture.
 
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufRead, BufReader, Seek};
 use std::path::Path;
 
 use super::{Failure, Metadata, regular, whole};
@@ -92,6 +92,40 @@ pub fn read(path: &Path) -> Result<(Picture, Metadata), Failure> {
     let pixels = pixels.ok_or_else(|| Failure::new("has transparent pixels"))?;
     let (width, height) = (frame.width as usize, frame.height as usize);
     Ok((Picture { width, height, pixels }, metadata))
+}
+
+/// Refuses a picture of a palette with a pixel beyond its end: decoders differ in what they make of
+/// it. What is no such picture is not read further.
+pub(super) fn check_palette(file: impl BufRead + Seek) -> Result<(), Failure> {
+    let mut decoder = png::Decoder::new(file);
+    decoder.set_limits(png::Limits { bytes: WORDS });
+    decoder.set_transformations(png::Transformations::IDENTITY);
+    let mut reader = decoder.read_info().map_err(unread)?;
+    let info = reader.info();
+    if info.color_type != png::ColorType::Indexed {
+        return Ok(());
+    }
+    let (width, bits) = (info.width as usize, info.bit_depth as usize);
+    let colours = info.palette.as_ref().map_or(0, |palette| palette.len() / 3);
+    if colours >= 1 << bits {
+        return Ok(());
+    }
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap_or(usize::MAX)];
+    let frame = reader.next_frame(&mut pixels).map_err(unread)?;
+    for (y, row) in pixels.chunks_exact(frame.line_size).enumerate() {
+        for x in 0..width {
+            let byte = usize::from(row[x * bits / 8]);
+            let index = byte >> (8 - bits - x * bits % 8) & ((1 << bits) - 1);
+            if index >= colours {
+                return Err(Failure::new(format!(
+                    "has colour {index} in column {x} of row {y}, but its palette ends with \
+                     colour {}",
+                    colours.saturating_sub(1)
+                )));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// The linear colour of a pixel's encoded samples: grey or three colours, and perhaps how opaque

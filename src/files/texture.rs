@@ -3,13 +3,17 @@
 //! What a file says of its colours (gamma, profiles) and of its orientation is left out: values are
 //! taken as they are, and the scene says how they are encoded.
 
+mod watched;
+
 use std::io::Cursor;
 
 use image::codecs::pnm::{PnmDecoder, PnmSubtype};
 use image::{DynamicImage, ImageError, ImageFormat, ImageReader, Limits};
 
-use super::{Failure, exr};
-use crate::math::{Picture, Texels, Values};
+use super::{Failure, exr, png};
+use crate::math::{Picture, Progress, Texels, Values};
+
+use watched::Watched;
 
 /// The longest file that is read, in bytes.
 pub const LIMIT: u64 = 1_000_000_000;
@@ -29,17 +33,20 @@ pub struct Reading {
     pub transparent: bool,
 }
 
-/// Reads the bytes of a file.
-pub fn parse(bytes: &[u8]) -> Result<Reading, Failure> {
+/// Reads the bytes of a file. `progress` is told how many of them are taken; when it cancels, the
+/// file counts as one that cannot be read.
+pub fn parse(bytes: &[u8], progress: &dyn Progress) -> Result<Reading, Failure> {
+    let watched = || Watched::new(bytes, progress);
     if bytes.starts_with(&EXR) {
-        let (layers, _) = exr::parse(Cursor::new(bytes), bytes.len() as u64)?;
+        let (layers, _) = exr::parse(watched(), bytes.len() as u64)?;
         return Ok(Reading { texels: linear(layers.main)?, transparent: false });
     }
-    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format()?;
-    if reader.format().is_none() {
+    let mut reader = ImageReader::new(watched()).with_guessed_format()?;
+    let format = reader.format();
+    if format.is_none() {
         return Err(Failure::new("is no PNG, JPEG, PNM, HDR or EXR file"));
     }
-    if reader.format() == Some(ImageFormat::Pnm) {
+    if format == Some(ImageFormat::Pnm) {
         check_scale(bytes)?;
     }
     let mut limits = Limits::default();
@@ -47,7 +54,16 @@ pub fn parse(bytes: &[u8]) -> Result<Reading, Failure> {
     limits.max_image_height = Some(MOST_SIDE);
     limits.max_alloc = Some(MOST_MEMORY);
     reader.limits(limits);
-    taken(reader.decode().map_err(undecoded)?)
+    let image = reader.decode().map_err(undecoded)?;
+    if format == Some(ImageFormat::Png) {
+        // Once more, but for pictures of a palette alone, and within the limits by now.
+        png::check_palette(watched())?;
+    }
+    // What is left is done at once, and takes a while of a large picture.
+    match progress.cancelled() {
+        true => Err(watched::stopped().into()),
+        false => taken(image),
+    }
 }
 
 /// Refuses PNM files whose values count up to other numbers than eight or sixteen bits do: the
@@ -140,7 +156,12 @@ fn floats(width: u32, all: Vec<[f32; 3]>) -> Result<Values, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::NoProgress;
     use image::ExtendedColorType;
+
+    fn unwatched(bytes: &[u8]) -> Result<Reading, Failure> {
+        parse(bytes, &NoProgress)
+    }
 
     fn written(image: impl Into<DynamicImage>, format: ImageFormat) -> Vec<u8> {
         let mut bytes = Cursor::new(Vec::new());
@@ -151,28 +172,28 @@ mod tests {
     #[test]
     fn each_kind_is_read_as_it_was_written() {
         let grey = image::GrayImage::from_fn(3, 2, |x, y| image::Luma([(40 * x + 7 * y) as u8]));
-        let read = parse(&written(grey.clone(), ImageFormat::Png)).unwrap();
+        let read = unwatched(&written(grey.clone(), ImageFormat::Png)).unwrap();
         assert_eq!(read.texels.values, Values::Grey8(grey.into_raw()));
         assert_eq!((read.texels.width, read.texels.height, read.transparent), (3, 2, false));
         let deep = image::ImageBuffer::from_fn(2, 2, |x, y| image::Rgb([x as u16, 500, y as u16]));
-        let read = parse(&written(deep, ImageFormat::Png)).unwrap();
+        let read = unwatched(&written(deep, ImageFormat::Png)).unwrap();
         let expected = vec![[0, 500, 0], [1, 500, 0], [0, 500, 1], [1, 500, 1]];
         assert_eq!(read.texels.values, Values::Rgb16(expected));
         let clear = image::RgbaImage::from_pixel(1, 2, image::Rgba([9, 8, 7, 254]));
-        let read = parse(&written(clear, ImageFormat::Png)).unwrap();
+        let read = unwatched(&written(clear, ImageFormat::Png)).unwrap();
         assert_eq!(read.texels.values, Values::Rgb8(vec![[9, 8, 7]; 2]));
         assert!(read.transparent);
-        let plain = parse(b"P3 2 1 255  255 0 0  0 9 255\n").unwrap();
+        let plain = unwatched(b"P3 2 1 255  255 0 0  0 9 255\n").unwrap();
         assert_eq!(plain.texels.values, Values::Rgb8(vec![[255, 0, 0], [0, 9, 255]]));
         // 2^(130 - 128) of 128/256.
         let light = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x40\x00\x82";
-        assert_eq!(parse(light).unwrap().texels.values, Values::Float(vec![[2.0, 1.0, 0.0]]));
+        assert_eq!(unwatched(light).unwrap().texels.values, Values::Float(vec![[2.0, 1.0, 0.0]]));
     }
 
     #[test]
     fn jpeg_is_read_too() {
         let grey = image::RgbImage::from_pixel(9, 5, image::Rgb([200, 100, 50]));
-        let read = parse(&written(grey, ImageFormat::Jpeg)).unwrap();
+        let read = unwatched(&written(grey, ImageFormat::Jpeg)).unwrap();
         let Values::Rgb8(texels) = &read.texels.values else { panic!() };
         assert_eq!((texels.len(), read.texels.width), (45, 9));
         assert!(texels.iter().all(|t| t[0].abs_diff(200) < 4 && t[2].abs_diff(50) < 4));
@@ -180,8 +201,74 @@ mod tests {
     }
 
     #[test]
+    fn a_reading_tells_how_far_it_is_and_ends_when_it_is_not_wanted() {
+        use std::sync::atomic::{AtomicU64, Ordering};
+
+        struct Watcher {
+            patience: u64,
+            told: AtomicU64,
+        }
+        impl Progress for Watcher {
+            fn advance(&self, done: u64, total: u64) {
+                assert!(done <= total);
+                self.told.fetch_add(1, Ordering::Relaxed);
+            }
+            fn cancelled(&self) -> bool {
+                self.told.load(Ordering::Relaxed) >= self.patience
+            }
+        }
+        let noise = image::GrayImage::from_fn(200, 200, |x, y| {
+            image::Luma([crate::math::random::mix(u64::from(x + 200 * y)) as u8])
+        });
+        let bytes = written(noise, ImageFormat::Png);
+        let patient = Watcher { patience: u64::MAX, told: AtomicU64::new(0) };
+        assert!(parse(&bytes, &patient).is_ok());
+        let pieces = patient.told.into_inner();
+        assert!(pieces >= bytes.len() as u64 / 4096, "{pieces}");
+        for patience in [0, 1, pieces / 2] {
+            let hasty = Watcher { patience, told: AtomicU64::new(0) };
+            assert!(parse(&bytes, &hasty).is_err());
+            assert_eq!(hasty.told.into_inner(), patience);
+        }
+    }
+
+    #[test]
+    fn a_colour_beyond_the_palette_is_refused() {
+        let file = |colours: usize, depth, row: &[u8]| {
+            let mut bytes = Vec::new();
+            let mut encoder = ::png::Encoder::new(&mut bytes, 5, 2);
+            encoder.set_color(::png::ColorType::Indexed);
+            encoder.set_depth(depth);
+            encoder.set_palette((0..3 * colours as u8).collect::<Vec<_>>());
+            let mut writer = encoder.write_header().unwrap();
+            writer.write_image_data(&row.repeat(2)).unwrap();
+            writer.finish().unwrap();
+            bytes
+        };
+        let failure = |bytes: &[u8]| unwatched(bytes).unwrap_err().to_string();
+        // 0 1 2 1 3, and what fills up the byte.
+        let row = [0b00_01_10_01, 0b11_11_11_11];
+        let whole = unwatched(&file(4, ::png::BitDepth::Two, &row)).unwrap().texels;
+        let Values::Rgb8(texels) = whole.values else { panic!() };
+        assert_eq!(texels[..5], [[0, 1, 2], [3, 4, 5], [6, 7, 8], [3, 4, 5], [9, 10, 11]]);
+        assert_eq!(
+            failure(&file(3, ::png::BitDepth::Two, &row)),
+            "has colour 3 in column 4 of row 0, but its palette ends with colour 2"
+        );
+        let padded = [0b00_01_10_01, 0b00_11_11_11];
+        assert!(
+            unwatched(&file(3, ::png::BitDepth::Two, &padded)).is_ok(),
+            "what fills up is no pixel"
+        );
+        assert_eq!(
+            failure(&file(2, ::png::BitDepth::Eight, &[0, 1, 0, 200, 1])),
+            "has colour 200 in column 3 of row 0, but its palette ends with colour 1"
+        );
+    }
+
+    #[test]
     fn what_is_no_picture_is_refused() {
-        let failure = |bytes: &[u8]| parse(bytes).unwrap_err().to_string();
+        let failure = |bytes: &[u8]| unwatched(bytes).unwrap_err().to_string();
         assert_eq!(failure(b"hello"), "is no PNG, JPEG, PNM, HDR or EXR file");
         assert_eq!(failure(b""), "is no PNG, JPEG, PNM, HDR or EXR file");
         assert_eq!(
@@ -214,16 +301,16 @@ mod tests {
             [written(image.clone(), ImageFormat::Png), written(image, ImageFormat::Jpeg), hdr, pnm];
         let mut refused = 0;
         for file in &files {
-            assert!(parse(file).is_ok());
+            assert!(unwatched(file).is_ok());
             for end in 0..file.len().min(200) {
-                refused += u32::from(parse(&file[..end]).is_err());
+                refused += u32::from(unwatched(&file[..end]).is_err());
             }
             for round in 0..600_u64 {
                 let mut broken = file.clone();
                 let luck = crate::math::random::mix(round);
                 let at = luck as usize % broken.len();
                 broken[at] ^= (luck >> 32) as u8 | 1;
-                refused += u32::from(parse(&broken).is_err());
+                refused += u32::from(unwatched(&broken).is_err());
             }
         }
         assert!(refused > 800, "{refused}");

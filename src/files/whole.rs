@@ -62,12 +62,36 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 
 /// Whether [`write`] can be expected to work: makes the folder, and a file beside, which goes away
 /// again.
-pub fn ready(path: &Path) -> Result<(), Failure> {
+pub fn ready(path: &Path) -> Result<Folders, Failure> {
     let path = target(path)?;
     let name = path.file_name().ok_or_else(|| Failure::new("has no file name"))?;
     let folder = folder_of(&path);
+    let folders = Folders::missing(folder);
     fs::create_dir_all(folder).map_err(|error| folder_failure(folder, error))?;
-    beside(&hidden(name), folder).map(drop)
+    beside(&hidden(name), folder).map(|_| folders)
+}
+
+/// Folders that were made for files to come. Those that are empty at its end go away with it.
+#[derive(Debug)]
+pub struct Folders {
+    /// The innermost first.
+    made: Vec<PathBuf>,
+}
+
+impl Folders {
+    /// Those that have to be made for `folder` to be there.
+    fn missing(folder: &Path) -> Self {
+        let all = folder.ancestors().filter(|folder| *folder != Path::new(""));
+        let made = all.take_while(|folder| !folder.exists()).map(Path::to_path_buf).collect();
+        Self { made }
+    }
+}
+
+impl Drop for Folders {
+    fn drop(&mut self) {
+        // What holds something stays.
+        let _ = self.made.iter().try_for_each(fs::remove_dir);
+    }
 }
 
 /// Whether there is a folder of that name.
@@ -251,14 +275,20 @@ mod tests {
     }
 
     #[test]
-    fn readiness_makes_the_folder_and_leaves_nothing_in_it() {
+    fn readiness_makes_the_folder_and_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("out/a.txt");
-        ready(&path).unwrap();
-        assert!(is_folder(&folder.path().join("out")));
-        assert!(names(&folder.path().join("out")).is_empty());
+        let path = folder.path().join("new/out/a.txt");
+        let (first, second) = (ready(&path).unwrap(), ready(&path).unwrap());
+        assert!(is_folder(&folder.path().join("new/out")));
+        assert!(names(&folder.path().join("new/out")).is_empty());
+        drop(second);
+        assert!(is_folder(&folder.path().join("new/out")), "made by the first");
+        drop(first);
+        assert!(names(folder.path()).is_empty());
+        let held = ready(&path).unwrap();
         put(&path, b"old").unwrap();
-        ready(&path).unwrap();
+        drop(held);
+        drop(ready(&path).unwrap());
         assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(
             ready(&path.join("b")).unwrap_err().to_string(),

@@ -86,7 +86,7 @@ fn read(
     sources: &mut Sources,
     ev: &mut Evaluator,
 ) -> Unit {
-    let id = sources.add(path.to_string_lossy(), text);
+    let id = sources.add_file(&path, text);
     let parsed = parse::file(text, id);
     // A unit that could not be read is not missing as well.
     let unreadable = parsed.faults.kept.iter().any(|told| told.code == Code::SYNTAX_FILE_UNIT);

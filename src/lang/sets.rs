@@ -20,7 +20,7 @@ pub fn read(
 ) -> Vec<ast::Set> {
     let mut all = Vec::new();
     for text in sets {
-        let id = sources.add("--set", text.as_str());
+        let id = sources.add_argument("--set", text.as_str());
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
         let first_line = Some(Span::new(main, 0, 0));
         ev.add_file(id, FileFacts { folder, text: text.as_str().into(), unit, first_line });

@@ -9,8 +9,17 @@ use crate::diag::{Diagnostic, Edit, FileId};
 pub struct Fixed {
     /// The text.
     pub text: String,
-    /// What was mended, an imperative each, in the order of the text.
-    pub mends: Vec<String>,
+    /// What was mended, in the order of the text.
+    pub mends: Vec<Mended>,
+}
+
+/// A mend that was made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mended {
+    /// The line where it begins, from 1, as the lines were before.
+    pub line: usize,
+    /// What was done, an imperative.
+    pub title: String,
 }
 
 /// Applies the first safe mend of each finding to the text of `file`, as far as they do not meet:
@@ -48,7 +57,9 @@ pub fn fixed(text: &str, file: FileId, found: &[Diagnostic]) -> Option<Fixed> {
         at = range.end;
     }
     mended.push_str(&text[at..]);
-    Some(Fixed { text: mended, mends: mends.into_iter().map(|(_, title)| title).collect() })
+    let line = |at: u32| 1 + text[..at as usize].matches('\n').count();
+    let mends = mends.into_iter().map(|(at, title)| Mended { line: line(at), title }).collect();
+    Some(Fixed { text: mended, mends })
 }
 
 /// Whether an edit changes a place that is changed already; those places lie apart. Two insertions
@@ -79,7 +90,8 @@ mod tests {
         let found = [mend(8, 8, "!"), unsafe_one, mend(4, 7, "w\u{f6}rld")];
         let fixed = fixed("one two\n.", FileId(0), &found).unwrap();
         assert_eq!(fixed.text, "one w\u{f6}rld\n!.");
-        assert_eq!(fixed.mends, ["to w\u{f6}rld", "to !"]);
+        let mended = |line, title: &str| Mended { line, title: title.to_string() };
+        assert_eq!(fixed.mends, [mended(1, "to w\u{f6}rld"), mended(2, "to !")]);
     }
 
     #[test]

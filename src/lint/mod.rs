@@ -23,7 +23,7 @@ use crate::load::Stage;
 use crate::scene::{At, Reflectance, Scene};
 
 pub use allow::{Seen, allowed};
-pub use fix::{Fixed, fixed};
+pub use fix::{Fixed, Mended, fixed};
 pub use selection::Selection;
 
 /// A rule: the code of what it finds, and how it looks for it.

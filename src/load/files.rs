@@ -123,15 +123,13 @@ impl<'a> Shelf<'a> {
             Ok(bytes) => bytes,
             Err(failure) => return unreadable(asked, &failure, found),
         };
-        self.progress.advance(0, bytes.len() as u64);
-        let reading = match texture_file::parse(&bytes) {
+        let reading = match texture_file::parse(&bytes, self.progress) {
             Ok(reading) => reading,
             Err(failure) => {
                 found.push(texture::unreadable(asked.name, asked.span, &failure));
                 return None;
             }
         };
-        self.progress.advance(bytes.len() as u64, bytes.len() as u64);
         if reading.transparent {
             found.push(texture::transparent(asked.name, asked.span));
         }

@@ -240,6 +240,12 @@ const OTHERWISE: &[(&str, &[&str], &str)] = &[
         "make it of the materials there are: `mix { … }` joins two of them",
     ),
     (
+        "material",
+        &["ggx", "microfacet", "rough", "roughconductor", "roughdielectric", "roughness"],
+        "all that reflects like a mirror is smooth as yet: `mix { … }` of it and `diffuse` comes \
+         nearest",
+    ),
+    (
         "object",
         &["box", "cone", "cube", "cylinder", "torus"],
         "use a `mesh`, or a `quad` for each flat side",
@@ -283,6 +289,15 @@ pub fn otherwise(choice: &str, word: &str) -> Option<&'static str> {
     let word = word.to_lowercase();
     let known = |words: &[&str]| words.contains(&word.as_str());
     OTHERWISE.iter().find(|(of, words, _)| *of == choice && known(words)).map(|it| it.2)
+}
+
+/// What is to be done with a word of elsewhere, wherever it may stand; by the kinds of choice it is
+/// known of.
+pub fn anywhere(word: &str) -> (Vec<(&'static str, &'static str)>, Vec<&'static str>) {
+    let word = word.to_lowercase();
+    let known = ELSEWHERE.iter().filter(|(_, known, _)| *known == word);
+    let advice = OTHERWISE.iter().filter(|(_, words, _)| words.contains(&word.as_str()));
+    (known.map(|(choice, _, meant)| (*choice, *meant)).collect(), advice.map(|it| it.2).collect())
 }
 
 /// The kind that a word of elsewhere most likely stands for.

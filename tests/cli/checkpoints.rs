@@ -377,3 +377,15 @@ fn where_the_disk_takes_no_checkpoint_the_render_goes_on_and_the_older_one_stays
     assert_same(bench.path("a.exr"), bench.path("b.exr"));
     assert_eq!(bench.files(), ["a.checkpoint", "a.exr", "b.exr", "ball.scn"]);
 }
+
+#[test]
+fn a_refusal_names_what_counts_alone() {
+    let bench = Bench::new();
+    bench.run("render ball.scn --only left --samples 2 --checkpoint -o a.exr").well();
+    // Of other light, caption and exposure: the light alone counts.
+    let mut command = bench.command("render ball.scn --only left --samples 4 --resume -o a.exr");
+    command.args(["--set", "caption=\"else\"", "--set", "film.exposure=1 ev"]);
+    let run = Run::new(command.args(["--set", "light sky.radiance=1 W/m^2/sr"]).output().unwrap());
+    let run = run.ends(2).says("not made with --set `light sky.radiance=1 W/m^2/sr`\n");
+    assert!(!run.stderr.contains("caption") && !run.stderr.contains("exposure"), "{}", run.stderr);
+}

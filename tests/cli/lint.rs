@@ -1,6 +1,9 @@
 //! `scn lint`: what counts, who reads it, what is mended.
 
-use crate::bench::{BALL, Bench};
+use std::io::Write;
+use std::process::Stdio;
+
+use crate::bench::{BALL, Bench, Run};
 
 /// The ball with a material that nothing has, and a comment that is not needed.
 fn doubtful() -> String {
@@ -57,7 +60,7 @@ fn mends_that_are_safe_are_made() {
     assert!(diff.contains("-let used = 1 ev // lint:") && diff.contains("+let used = 1 ev\n"));
     assert_eq!(std::fs::read_to_string(bench.path("my.scn")).unwrap(), before);
 
-    let run = bench.run("lint my.scn --fix").ends(0).says("my.scn: 1 mend\n");
+    let run = bench.run("lint my.scn --fix").ends(0).says("my.scn: 1 mend\n  my.scn:17: ");
     assert!(run.stdout.contains("1 warning in my.scn"), "{}", run.stdout);
     let after = std::fs::read_to_string(bench.path("my.scn")).unwrap();
     assert_eq!(after, before.replace(" // lint: allow(unused-let) because \"once\"", ""));
@@ -73,14 +76,36 @@ fn faults_with_one_reading_are_mended_too() {
     let wrong = BALL.replace("samples: 4", "samples= 4").replace("albedo: 0.8", "albedo: .8");
     bench.put("my.scn", wrong);
     bench.run("lint my.scn").ends(1);
-    bench.run("lint my.scn --diff").ends(1);
-    bench.run("lint my.scn --fix").ends(0).says("my.scn: 2 mends\n");
+    let diff = bench.run("lint my.scn --diff").ends(1).stdout;
+    assert_eq!(bench.run("lint my.scn --diff --fix").ends(1).stdout, diff);
+    let run = bench.run("lint my.scn --fix").ends(0).says("my.scn: 2 mends\n");
+    run.says("  my.scn:6: write `:`\n  my.scn:9: write `0.8`\n");
     assert_eq!(std::fs::read_to_string(bench.path("my.scn")).unwrap(), BALL);
     // What can be meant in several ways is left to people.
     let wrong = BALL.replace("material: white", "material: whit");
     bench.put("my.scn", &wrong);
-    bench.run("lint my.scn --fix").ends(1);
+    bench.run("lint my.scn --fix").ends(1).says("my.scn: nothing that --fix mends\n");
     assert_eq!(std::fs::read_to_string(bench.path("my.scn")).unwrap(), wrong);
+}
+
+#[test]
+fn habits_of_other_languages_are_mended_as_one_would_write_it() {
+    let bench = Bench::new();
+    let wrong = BALL
+        .replace("scn 1 in m\n", "scn 1 in m;\n")
+        .replace("samples: 4", "samples  =  4")
+        .replace("film: {", "film={")
+        .replace("direction: (1,", "direction=(1,");
+    bench.put("my.scn", format!("{wrong}let x: 3 // lint: allow(unused-let) because \"so\"\n"));
+    bench.run("lint my.scn --fix").ends(0);
+    let after = std::fs::read_to_string(bench.path("my.scn")).unwrap();
+    let last = "let x = 3 // lint: allow(unused-let) because \"so\"\n";
+    assert_eq!(after, format!("{BALL}{last}"));
+    // One count, and what came of it.
+    let several = BALL.replace("\n", ";\n");
+    bench.put("my.scn", several);
+    let told = bench.run("lint my.scn").ends(1).stdout;
+    assert!(told.contains("\n1 of these can be mended by --fix\n"), "{told}");
 }
 
 #[test]
@@ -168,4 +193,24 @@ fn a_scene_that_is_changed_is_doubted_as_changed() {
     assert_eq!(one, ["empty-layer", "light-behind-plane"]);
     let two = rules("render --samples 1 -o out --only right --only fourth");
     assert_eq!(two, ["empty-layer", "light-behind-plane", "same-picture"]);
+}
+
+#[test]
+fn what_comes_by_stdin_is_looked_at() {
+    let bench = Bench::new();
+    let told = |arguments: &str, text: &str| {
+        let mut child = bench.command(arguments);
+        child.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = child.spawn().unwrap();
+        // What is not read to its end is not missed.
+        let _ = child.stdin.take().unwrap().write_all(text.as_bytes());
+        Run::new(child.wait_with_output().unwrap())
+    };
+    assert_eq!(told("lint -", BALL).well().stdout, "");
+    let wrong = BALL.replace("samples: 4", "samples= 4");
+    let run = told("lint - --format short", &wrong).ends(1);
+    assert!(run.stdout.starts_with("stdin:6:"), "{}", run.stdout);
+    assert!(told("lint - --diff", &wrong).ends(1).stdout.contains("+stop: { samples: 4 }"));
+    told("lint - --fix", &wrong).ends(2).says("stdin is read, not written");
+    told("lint - -", &wrong).ends(2).says("can be read once only");
 }

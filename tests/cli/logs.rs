@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::bench::Bench;
+use crate::bench::{Bench, Run};
 
 /// Event and fields of each row of the table in docs/log.md.
 fn documented() -> Vec<(String, BTreeSet<String>)> {
@@ -80,11 +80,26 @@ fn people_read_what_was_done() {
         "left\n",
         "2 shapes, 1 material, 2 lights",
         "8 × 8, 4 samples a pixel",
-        "256 rays",
+        "256 camera rays",
         "wrote     out/ball/left.exr",
         "1 picture in",
     ] {
         assert!(run.stdout.contains(words), "{words:?} is not in:\n{}", run.stdout);
     }
     assert!(!run.stdout.contains('\x1b'), "{:?}", run.stdout);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_name_of_two_lines_stays_on_one() {
+    let bench = Bench::new();
+    let mut command = bench.command("render ball.scn --only left --samples 1 -o");
+    let run = Run::new(command.arg("a\nb.exr").output().unwrap()).well();
+    assert!(run.stdout.contains("wrote     a\u{240a}b.exr\n"), "{}", run.stdout);
+    assert!(bench.files().contains(&"a\nb.exr".to_string()));
+    // Machines are told the name as it is.
+    let mut command = bench.command("render ball.scn --only left --samples 1 --log json -o");
+    let run = Run::new(command.arg("a\nb.exr").output().unwrap()).well();
+    let events = run.events();
+    assert!(events.iter().any(|event| event["file"] == "a\nb.exr"), "{events:?}");
 }

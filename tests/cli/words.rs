@@ -83,3 +83,15 @@ fn the_reference_is_what_the_language_has() {
     );
     Bench::new().run("list light --format markdown").ends(2).says("cannot be used with");
 }
+
+#[test]
+fn options_of_other_programs_are_known() {
+    let bench = Bench::new();
+    let run = bench.run("render ball.scn --spp 64").ends(2);
+    run.says("a similar argument exists: '--samples'");
+    bench.run("render ball.scn --size=64").ends(2).says("a similar argument exists: '--scale'");
+    // What has no samples is offered none.
+    let run = bench.run("compare a.exr b.exr --spp 64").ends(2);
+    assert!(!run.stderr.contains("--samples"), "{}", run.stderr);
+    bench.run("list Lambert").ends(2).says("what is meant may be the material `diffuse`");
+}

@@ -195,7 +195,7 @@ fn check_output(path: &Path, inputs: &[&PathBuf]) -> Result<(), Refusal> {
     if inputs.iter().any(|input| files::regular::identity(input) == identity) {
         return Err(format!("`{shown}` is one of the pictures compared, and is not overwritten"));
     }
-    files::whole::ready(path).map_err(|failure| format!("`{shown}` {failure}"))
+    files::whole::ready(path).map(drop).map_err(|failure| format!("`{shown}` {failure}"))
 }
 
 /// FLIP of each picture against the reference in magma, side by side.

@@ -9,9 +9,10 @@ use std::path::Path;
 
 use super::log::shown;
 use super::{End, check, diff, scene_file, terminal};
-use crate::diag::words::counted;
+use crate::diag::words::grouped;
 use crate::diag::{self, CODES, Diagnostic, Sources};
-use crate::lint::Selection;
+use crate::files;
+use crate::lint::{Selection, fixed};
 
 use options::Form;
 pub use options::Lint;
@@ -28,6 +29,14 @@ pub fn run(options: &Lint) -> End {
     };
     if let [unknown, ..] = selection.unknown()[..] {
         terminal::fail(&no_such_code(unknown));
+        return End::NotDone;
+    }
+    let stdin = options.files.iter().filter(|file| file.as_os_str() == scene_file::STREAMS).count();
+    if stdin > 1 || stdin == 1 && options.fix && !options.diff {
+        terminal::fail(match stdin {
+            1 => "stdin is read, not written: `--diff` shows what `--fix` would change",
+            _ => "`-` stands for stdin, and can be read once only",
+        });
         return End::NotDone;
     }
     let mut sources = Sources::new();
@@ -55,12 +64,22 @@ fn one(
     selection: &Selection,
     sources: &mut Sources,
 ) -> Option<Vec<Diagnostic>> {
-    let mut text = scene_file::read(file)?;
+    let stdin = file.as_os_str() == scene_file::STREAMS;
+    let file = if stdin { Path::new("stdin") } else { file };
+    let mut text = match stdin {
+        true => scene_file::from_stdin()
+            .map(|text| files::text::without_mark(&text).to_string())
+            .map_err(|failure| terminal::fail(&scene_file::unread(file, &failure)))
+            .ok()?,
+        false => scene_file::read(file)?,
+    };
     if options.fix || options.diff {
         let mended = fix::mended(file, &text, selection)?;
         if options.diff {
             terminal::say(&diff::unified(file, &text, &mended.text));
-        } else if !mended.mends.is_empty() {
+        } else if mended.mends.is_empty() {
+            terminal::tell(&format!("{}: nothing that --fix mends\n", shown(file)));
+        } else {
             fix::write(file, &text, &mended)?;
             text = mended.text;
         }
@@ -71,10 +90,9 @@ fn one(
     if options.format == Form::Human && !options.diff {
         let look = terminal::stdout_look();
         terminal::say(&diag::print::report(&found, sources, &shown(file), look));
-        let safe = found.iter().filter(|it| it.mends.iter().any(|mend| mend.safe)).count();
-        if safe > 0 {
-            let mends = counted(safe as u64, "of these can be mended by --fix");
-            terminal::say(&format!("{}\n", mends.trim_end_matches('s')));
+        if let Some(fixed) = fixed(&text, checked.main, &found) {
+            let count = grouped(fixed.mends.len() as u64);
+            terminal::say(&format!("{count} of these can be mended by --fix\n"));
         }
     }
     Some(found)

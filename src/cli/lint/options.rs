@@ -12,6 +12,7 @@ Examples:
   scn lint scenes/*.scn --deny warnings          for a gate: every warning counts
   scn lint my.scn --ignore mesh --ignore unused-let
   scn lint my.scn --diff                         what --fix would change
+  scn lint - < my.scn                            what comes by stdin
   scn lint --list                                all rules
 
 CODE is a code as a report shows it (`mesh/not-rendered`), the beginning of one (`mesh`), or a rule
@@ -23,7 +24,7 @@ was meant. docs/lint.md tells more.
 Exit status: 0 nothing that counts; 1 errors, or warnings that --deny makes count; 2 it could not do
 its work.")]
 pub struct Lint {
-    /// The scene files
+    /// The scene files; `-` for stdin, whose files are looked for in this folder
     #[arg(value_name = "FILE", required_unless_present = "list")]
     pub files: Vec<PathBuf>,
     /// How faults are written to stdout: for people, one line each, as one JSON object, as a SARIF
@@ -42,8 +43,8 @@ pub struct Lint {
     /// Apply mends that keep what was meant to the files given; tell what remains
     #[arg(long)]
     pub fix: bool,
-    /// Show what --fix would change, and change nothing
-    #[arg(long, conflicts_with_all = ["fix", "format"])]
+    /// Show what --fix would change, and change nothing, with --fix or without
+    #[arg(long, conflicts_with = "format")]
     pub diff: bool,
     /// Check the scene as changed so; may be given more than once
     #[arg(long, value_name = "path=value", conflicts_with_all = ["fix", "diff"])]

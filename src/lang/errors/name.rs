@@ -339,7 +339,7 @@ pub fn unknown_variant(
     (all, declared): (&[&str], &[&str]),
     meant: Option<(&str, String)>,
 ) -> Diagnostic {
-    let headline = format!("`{place}`: there is no {name} `{}`", word.text);
+    let headline = format!("`{place}`: the language has no {name} `{}`", word.text);
     let told = Diagnostic::error(Code::NAME_UNKNOWN_VARIANT, headline)
         .label(word.span, format!("no {name} is called so"));
     let near_declared = nearest(&word.text, declared.iter().copied());

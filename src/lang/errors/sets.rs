@@ -32,8 +32,18 @@ pub fn no_path(equals: Span) -> Diagnostic {
 /// What begins with a word that begins items of other forms.
 pub fn keyword(word: &str, span: Span) -> Diagnostic {
     let headline = format!("`--set` cannot say `{word}`");
+    let instead = match word {
+        "render" | "setup" => "change what the renders show; `--only NAME` chooses among them",
+        "let" => "change the items that use the value, or the value in the file",
+        "use" => "write it into the file",
+        "without" => "write it into a render of the file",
+        _ => EXAMPLE,
+    };
     Diagnostic::error(Code::SYNTAX_UNEXPECTED, headline)
         .label(span, "expected the path of a value")
-        .why("It changes a value, or states an item anew.")
-        .help(EXAMPLE)
+        .why(
+            "It changes a part of an item, as in `film.exposure=1 ev` and `material \
+             clay.albedo=0.5`, or states an item anew, as in `integrator=path`.",
+        )
+        .help(instead)
 }

@@ -179,17 +179,17 @@ pub fn missing_colon(kind: &str, at: Span) -> Diagnostic {
         .safe_mend("write `:`", at, ":")
 }
 
-/// `=` for `:` or the other way round.
-pub fn wrong_equals(found: char, span: Span) -> Diagnostic {
-    let (headline, right) = match found {
-        '=' => ("a value follows `:`, not `=`", ":"),
-        _ => ("the value of a `let` follows `=`, not `:`", "="),
+/// `=` for `:` or the other way round. `place`: with the blanks around it.
+pub fn wrong_equals(found: char, span: Span, place: Span) -> Diagnostic {
+    let (headline, right, written) = match found {
+        '=' => ("a value follows `:`, not `=`", ":", ": "),
+        _ => ("the value of a `let` follows `=`, not `:`", "=", " = "),
     };
     Diagnostic::error(Code::SYNTAX_COLON_OR_EQUALS, headline)
         .label(span, format!("write `{right}`"))
         .why("`let name = value` defines a name; `path: value` says something of the scene.")
         .help(format!("write `{right}`"))
-        .safe_mend(format!("write `{right}`"), span, right)
+        .safe_mend(format!("write `{right}`"), place, written)
 }
 
 /// Two items or fields on a line without a comma.
@@ -201,13 +201,17 @@ pub fn missing_separator(last: Span, next: Span, what: &str) -> Diagnostic {
         .safe_mend("write `,`", last.after(), ",")
 }
 
-/// A semicolon.
-pub fn semicolon(span: Span) -> Diagnostic {
-    Diagnostic::error(Code::SYNTAX_UNEXPECTED, "a semicolon parts nothing here")
+/// A semicolon. `parted`: nothing follows that it would part, on its line.
+pub fn semicolon(span: Span, parted: bool) -> Diagnostic {
+    let fault = Diagnostic::error(Code::SYNTAX_UNEXPECTED, "a semicolon parts nothing here")
         .label(span, "take it away")
-        .why("New lines or commas part items and fields.")
-        .help("begin a new line, or write `,`")
-        .safe_mend("write `,`", span, ",")
+        .why("New lines or commas part items and fields.");
+    match parted {
+        true => {
+            fault.help("take the semicolon away").safe_mend("take the semicolon away", span, "")
+        }
+        false => fault.help("begin a new line, or write `,`").safe_mend("write `,`", span, ","),
+    }
 }
 
 /// A setup or a render without braces.

@@ -177,9 +177,25 @@ impl<'t> Builder<'t> {
 
     pub(super) fn semicolon(&mut self, pair: &Pair) {
         if !self.semicolon_told {
-            self.tell(syntax::semicolon(self.span(pair)));
+            let span = self.span(pair);
+            let rest = self.source[span.range().end..].lines().next().unwrap_or("").trim_start();
+            let parted = rest.is_empty() || rest.starts_with("//") || rest.starts_with('}');
+            self.tell(syntax::semicolon(span, parted));
             self.semicolon_told = true;
         }
+    }
+
+    /// `=` for `:`, or the other way round.
+    pub(super) fn wrong_equals(&mut self, found: char, pair: &Pair) {
+        let span = self.span(pair);
+        let blank = [' ', '\t'];
+        let (before, after) =
+            (&self.source[..span.range().start], &self.source[span.range().end..]);
+        let before = before.len() - before.trim_end_matches(blank).len();
+        let after = after.len() - after.trim_start_matches(blank).len();
+        let place =
+            Span { start: span.start - before as u32, end: span.end + after as u32, ..span };
+        self.tell(syntax::wrong_equals(found, span, place));
     }
 
     /// Text that is no item, or follows the item `last` on its line.
@@ -270,7 +286,7 @@ impl<'t> Builder<'t> {
         for part in inner {
             match part.as_rule() {
                 Rule::params => params = Some(part.into_inner().map(|w| self.word(w)).collect()),
-                Rule::colon => self.tell(syntax::wrong_equals(':', self.span(&part))),
+                Rule::colon => self.wrong_equals(':', &part),
                 Rule::equals => {}
                 _ => value = Some(Arc::new(self.value(part))),
             }
@@ -299,7 +315,7 @@ impl<'t> Builder<'t> {
         let (span, kind, name, parts) = self.path(path);
         let colon = inner.next().expect("a colon");
         if colon.as_rule() == Rule::equals {
-            self.tell(syntax::wrong_equals('=', self.span(&colon)));
+            self.wrong_equals('=', &colon);
         }
         let value = self.value(inner.next().expect("a value"));
         Set { kind, name, parts, value: Arc::new(value), path: span }

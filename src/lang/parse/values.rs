@@ -264,7 +264,7 @@ impl Builder<'_> {
                     return false;
                 }
                 Rule::equals => {
-                    self.tell(syntax::wrong_equals('=', self.span(&part)));
+                    self.wrong_equals('=', &part);
                 }
                 Rule::value => {
                     let value = Arc::new(self.value(part));

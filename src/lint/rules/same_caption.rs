@@ -28,8 +28,8 @@ fn same(shot: &Shot, other: &Shot) -> Diagnostic {
     let (name, first) = (shot.name(), other.name());
     let headline = format!("the renders `{first}` and `{name}` have the same caption");
     Diagnostic::warning(Code::LINT_SAME_CAPTION, headline)
-        .label(shot.name.span, "shows something else …")
-        .label(other.stage.scene.caption.span, "… and has this caption as well")
+        .label(shot.name.span, "shows something else, under the same caption")
+        .label(other.stage.scene.caption.span, format!("the caption of `{first}` and of `{name}`"))
         .why("A render has the caption of what it builds on, unless it states its own.")
         .help(format!("say what `{name}` shows: `caption: \"…\"`"))
 }
