@@ -515,5 +515,5 @@ fn fog_is_refused_at_what_makes_it_one() {
         report.contains("the medium `fog` scatters light, which is not rendered yet"),
         "{report}"
     );
-    assert!(report.contains("leave this field out, or set it to 0"), "{report}");
+    assert!(report.contains("leave this field out, or write `0 / m`"), "{report}");
 }

@@ -193,7 +193,8 @@ pub fn complex_index(
     let between =
         Span { start: first.value.span().end, end: second.key.span.start, ..first.key.span };
     let place = Span { end: second.value.span().end, ..first.key.span };
-    let alone = ev.written(between).is_some_and(|text| text.trim_matches([' ', ',', '\n']) == "");
+    let alone =
+        ev.written(between).is_some_and(|text| text.trim_matches([' ', ',', '\n']).is_empty());
     Some(Parts {
         right: format!("{index}: complex({n_text}, {k_text})"),
         place: Some(place).filter(|_| alone),
