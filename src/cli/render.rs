@@ -63,6 +63,14 @@ struct Ready {
     stage: Stage,
 }
 
+/// Where files are to be written, to be given up when all is done.
+struct Places {
+    /// Checkpoints, which nobody else writes meanwhile. Given up first: they lie in the folders.
+    _held: Vec<Held>,
+    /// Folders that were made for them and for pictures.
+    _folders: Vec<Folders>,
+}
+
 impl<'a> Session<'a> {
     fn new(options: &'a Render, replay: Option<&'a Replay>) -> Self {
         let bar = !options.quiet && terminal::stderr_is_terminal();
@@ -92,7 +100,7 @@ impl<'a> Session<'a> {
         }
         let chosen = self.chosen(compiled.renders, &compiled.setups, &output)?;
         let ready = self.load(compiled.diagnostics, chosen, &compiled.outline)?;
-        let (asked, _folders, _held) = self.settings_fit(&ready, &output)?;
+        let (asked, _places) = self.settings_fit(&ready, &output)?;
         self.tell_loaded(&ready);
 
         let mut pictures = 0;
@@ -201,12 +209,8 @@ impl<'a> Session<'a> {
 
     /// What is asked for, if --scale, --crop and --shard suit the scenes, checkpoints the renders,
     /// and the pictures can be written: found out before the work, not after it. With it come the
-    /// folders that were made for them, and the checkpoints, held.
-    fn settings_fit(
-        &self,
-        ready: &[Ready],
-        output: &Output,
-    ) -> Result<(Vec<Asked>, Vec<Folders>, Vec<Held>), End> {
+    /// places of their files.
+    fn settings_fit(&self, ready: &[Ready], output: &Output) -> Result<(Vec<Asked>, Places), End> {
         let (mut all, mut folders) = (Vec::new(), Vec::new());
         for Ready { name, stage } in ready {
             if let Some(unfit) = self.settings().unfit(stage) {
@@ -241,7 +245,7 @@ impl<'a> Session<'a> {
         let held = all.iter().map(|asked| checkpoint::hold(self.options, output, asked));
         let held: Result<Vec<_>, _> = held.collect();
         let held = held.map_err(|why| failed(&why))?.into_iter().flatten().collect();
-        Ok((all, folders, held))
+        Ok((all, Places { _held: held, _folders: folders }))
     }
 
     /// The files that a render is to become: its pictures, or its part.

@@ -330,8 +330,12 @@ mod tests {
         assert_eq!(wrapped(text, 18)[..2], ["the film takes", "342 kB (about"]);
         let fault = Diagnostic::error(Code::SYNTAX_UNEXPECTED, "long ".repeat(13) + "1 W/m^2/sr");
         for width in 60..110 {
-            let told =
-                report(&[fault.clone()], &Sources::new(), "a.scn", Look { width, ..Look::PLAIN });
+            let told = report(
+                std::slice::from_ref(&fault),
+                &Sources::new(),
+                "a.scn",
+                Look { width, ..Look::PLAIN },
+            );
             assert!(told.contains("1 W/m^2/sr"), "{width}:\n{told}");
         }
     }
