@@ -222,6 +222,24 @@ fn traced_paths_add_up_to_the_pixel() {
     }
 }
 
+#[test]
+fn each_traced_path_ends_at_its_own_light() {
+    let lights = at(scene::LightCount::All);
+    let prepared = Hand::new(Integrator::Path(scene::Path { lights, ..path() }))
+        .material("floor", 0.7, 0.0)
+        .quad(DVec3::ZERO, DVec3::X * 3.0, DVec3::Y * 3.0, "floor")
+        .sphere(DVec3::new(0.0, 2.0, 0.5), 0.5, "floor")
+        .point(DVec3::new(-1.0, 0.0, 2.0), 1.0)
+        .point(DVec3::new(1.0, 0.5, 1.0), 1.0)
+        .camera(DVec3::new(0.0, -3.0, 1.2), DVec3::ZERO, 20.0)
+        .prepared();
+    let mut sources = Vec::new();
+    let visit = |_, traced: Traced| sources.push(traced.source);
+    prepared.integrator.trace(&prepared.world, 5, [0, 0], 0, visit);
+    assert_eq!(sources.len(), 2);
+    assert_ne!(sources[0], sources[1]);
+}
+
 fn ambient() -> Integrator {
     Integrator::Ambient(scene::Ambient {
         rays: at(scene::Count(4)),

@@ -127,3 +127,23 @@ fn a_sample_comes_out_the_same_in_any_wave() {
         assert!(lit > whole.picture.pixels.len() / 2, "{what}: {lit}");
     }
 }
+
+/// Sixty-four paths of a hundred surfaces are asked about while they are under way, not after it.
+#[test]
+fn samples_are_given_up_together() {
+    let long = tracer(|it| {
+        it.roulette = at(scene::Roulette::Off);
+        it.depth = at(scene::Depth::Most(100));
+    });
+    let hand = Hand::new(long)
+        .size(8, 8)
+        .material("wall", 0.9, 1.0)
+        .sphere(DVec3::ZERO, 1.0, "wall")
+        .camera(DVec3::ZERO, DVec3::X, 40.0);
+    let prepared = hand.prepared();
+    // Patience for the question before the only tile, and for all of them.
+    for (patience, samples) in [(1, 0), (1_000, 1)] {
+        let outcome = render(&prepared, 3, 1, &Ticking::new(1.0, patience));
+        assert_eq!(outcome.samples, samples, "{patience} questions");
+    }
+}

@@ -5,7 +5,7 @@ use glam::DVec3;
 use scn::measure::statistics::agrees;
 use scn::scene::{self, Depth, Integrator, Roulette, Sides};
 
-use crate::by_hand::{Hand, at};
+use crate::by_hand::{Hand, at, splits};
 use crate::tracer;
 
 /// Inside a hollow sphere that shines and scatters.
@@ -59,6 +59,26 @@ fn a_depth_leaves_out_the_rest_of_the_series() {
             let truth = (1.0 - albedo.powi(depth as i32 + 1)) / (1.0 - albedo);
             assert!((found / truth - 1.0).abs() < 1e-3, "{albedo}, {depth}: {found}, not {truth}");
         }
+    }
+}
+
+/// A ray that comes to its depth leaves those that wait to be followed.
+#[test]
+fn a_depth_ends_each_of_several_rays_by_itself() {
+    let (albedo, depth) = (0.8_f64, 3);
+    for rays in [1, 2, 4] {
+        let found = enclosure(
+            albedo,
+            tracer(|path| {
+                path.next_event.value.0 = false;
+                path.roulette = at(Roulette::Off);
+                path.splits = at(splits(0, 2, rays));
+                path.depth = at(Depth::Most(depth));
+            }),
+        );
+        let found = f64::from(found.picture().pixels[0].g);
+        let truth = (1.0 - albedo.powi(depth as i32 + 1)) / (1.0 - albedo);
+        assert!((found / truth - 1.0).abs() < 1e-5, "{rays} rays: {found}, not {truth}");
     }
 }
 
