@@ -203,8 +203,11 @@ impl Rectangle {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec3;
+
     use super::*;
     use crate::math::random;
+    use crate::render::geometry::{Owner, Ray, Shapes};
 
     /// The sum of four arcs, as it is commonly written.
     fn by_arcs(x: [f64; 2], y: [f64; 2], height: f64) -> f64 {
@@ -245,6 +248,26 @@ mod tests {
             let sine = |y: f64| y / (x * x + y * y + height * height).sqrt();
             let below = (sine(y) - sine(b)) / (sine(b + d) - sine(b));
             assert!((below - v).abs() < 1e-9, "{below} for {v}");
+        }
+    }
+
+    #[test]
+    fn points_name_the_triangle_that_they_are_of() {
+        let mut shapes = Shapes::new();
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        let corners = corners.map(|[x, z]| shapes.vertex(Vec3::new(x, 1.0, z)));
+        let triangles = shapes.quad(corners, Owner::default());
+        let geometry = Geometry::build(shapes);
+        let rectangle = Rectangle::of(triangles, &geometry).unwrap();
+        for (i, below) in (0..1000).flat_map(|i| [1.0, 50.0].map(|below| (i, below))) {
+            let from = Point::free(Vec3::new(0.3, 1.0 - below, -0.2));
+            let (sampled, _) = rectangle.see((&from, true), random::unit_pair(random::at(48, i)));
+            let Point { position, sheet, .. } = sampled.point;
+            if (position.x - position.z).abs() > 1e-3 {
+                let way = sampled.wi.as_vec3();
+                let hit = geometry.closest(&Ray::new(from.position, way)).unwrap();
+                assert_eq!(sheet, hit.sheet, "{position}");
+            }
         }
     }
 }

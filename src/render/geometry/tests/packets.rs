@@ -47,8 +47,18 @@ impl Question<'_> {
     }
 }
 
-/// How many of the rays meet something; all answers are those of single rays.
+/// How many of the rays meet something; all answers are those of single rays, in full packets and in
+/// such as lack some.
 fn agree(geometry: &Geometry, rays: &[Ray]) -> usize {
+    for rays in
+        rays[..rays.len().min(600)].chunks(15).flat_map(|some| [some, &some[..some.len() / 2]])
+    {
+        agree_in_one(geometry, rays);
+    }
+    agree_in_one(geometry, rays)
+}
+
+fn agree_in_one(geometry: &Geometry, rays: &[Ray]) -> usize {
     let few = geometry.few.as_ref().expect("a scene of few triangles");
     let expected: Vec<_> = rays.iter().map(|ray| geometry.meet(ray)).collect();
     by_each(|ask| {
@@ -189,6 +199,30 @@ fn of_copies_packets_meet_the_first() {
     let geometry = Geometry::build(shapes);
     let rays = (0..2000).map(|_| ray(&mut chance, 1.0)).collect();
     assert!(agree_onwards(&geometry, rays, &mut chance) > 300);
+}
+
+/// Sheets as close as f32 can have them, and through each other: f64 alone tells which is first.
+#[test]
+fn of_sheets_close_together_packets_meet_the_first() {
+    let mut chance = Chance::new(78);
+    let mut met = 0;
+    for _ in 0..60 {
+        let mut shapes = Shapes::new();
+        let slopes = chance.cube();
+        for _ in 0..4 {
+            let corners = [(-1.0, -1.1), (1.0, -0.9), (0.1, 1.0)].map(|(x, y)| {
+                let (x, y) = (x + 0.1 * chance.unit(), y + 0.1 * chance.unit());
+                let z = (0.3 + slopes.x * x + slopes.y * y) as f32;
+                let z = (0..chance.below(6)).fold(z, |z, _| z.next_up());
+                shapes.vertex(Vec3::new(x as f32, y as f32, z))
+            });
+            shapes.triangle(Triangle { corners, normals: None, owner: Owner::default() });
+        }
+        let geometry = Geometry::build(shapes);
+        let rays: Vec<_> = (0..100).map(|_| ray(&mut chance, 1.0)).collect();
+        met += agree_onwards(&geometry, rays, &mut chance);
+    }
+    assert!(met > 1000, "{met}");
 }
 
 #[test]
