@@ -198,7 +198,18 @@ mod tests {
                 let turn = chance.below(3);
                 let [i, j, k] = [0, 1, 2].map(|n| [a, b, c][(n + turn) % 3]);
                 let target = i + v * (j - i) + w * (k - i);
-                let from = a + chance.cube() * far.max(size) * 10_f64.powf(chance.signed());
+                let mut from = a + chance.cube() * far.max(size) * 10_f64.powf(chance.signed());
+                // Some close to the plane, so that rays run along it; and some where errors of their
+                // own are small.
+                let kind = chance.below(5);
+                if kind == 0 {
+                    from *= 1e-4;
+                }
+                if kind == 1 {
+                    let up = (b - a).cross(c - a).normalize_or_zero();
+                    let over = size * 10_f64.powf(-3.0 - 5.0 * chance.unit());
+                    from = target + 2.0 * chance.signed() * (b - a) + over * up;
+                }
                 let way = (target - from.as_vec3().as_dvec3()).normalize_or(DVec3::Z);
                 Ray::new(from.as_vec3(), way.as_vec3())
             });
@@ -221,6 +232,6 @@ mod tests {
                 assert!(!(t < low || t > high), "{t} in {low} to {high}: {ray:?} {face:?}");
             }
         }
-        assert!(inside > 25_000 && outside > 25_000, "{inside} {outside} {open}");
+        assert!(inside > 20_000 && outside > 25_000, "{inside} {outside} {open}");
     }
 }
