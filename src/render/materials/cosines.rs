@@ -64,18 +64,19 @@ mod tests {
     #[test]
     fn directions_about_many_normals_are_those_about_each() {
         let numbers = |from: u64, lane: usize| random::unit_pair(random::at(from, lane as u64));
-        let (mut normals, mut u) = ([[0.0; LANES]; 3], [[0.0; LANES]; 4]);
+        let row = |nth: usize| std::array::from_fn(|lane| numbers(63, lane)[nth]);
+        let u = [row(0), row(1), [0.0; LANES], [0.0; LANES]];
+        let mut normals = [[0.0; LANES]; 3];
         for lane in 0..LANES {
             let ([x, y], [z, _]) = (numbers(61, lane), numbers(62, lane));
             let normal = 2.0 * Vec3::new(x as f32, y as f32, z as f32) - 1.0;
             put(&mut normals, lane, normal.normalize());
-            [u[0][lane], u[1][lane]] = numbers(63, lane);
         }
         for count in [1, 7, 8, 9, LANES] {
             let mut cosines = Cosines::default();
             cosines.sample(count, &normals, &u);
             for lane in 0..count {
-                let alone = about(get(&normals, lane), [u[0][lane], u[1][lane]]);
+                let alone = about(get(&normals, lane), numbers(63, lane));
                 assert_eq!(cosines.at(lane), alone, "{lane} of {count}");
             }
         }
