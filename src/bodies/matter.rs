@@ -14,6 +14,7 @@ use super::placed::{Body, Placed};
 use super::seams::{Open, Seams};
 use super::solids::Solids;
 use super::surfaces::{Media, SURROUNDINGS, Skin, Surfaces};
+use super::thin;
 use super::view;
 use super::yields::Yields;
 use crate::diag::Diagnostic;
@@ -95,6 +96,14 @@ impl<'a> Matter<'a> {
             return matter;
         }
         let solids = Solids::of(&surfaces, &mut seams, &yields);
+        let thin = thin::find(&solids, view::extent(&stage.scene.camera.value, placed).centre());
+        for thin in &thin {
+            let owner = surfaces.owner(&surfaces.skins[thin.skin as usize]);
+            found.push(errors::thin(owner.name(), thin));
+        }
+        if thin.iter().any(|thin| thin.steps < thin::LEAST) {
+            return matter;
+        }
         let may = |one: u32, other: u32| {
             let [one, other] = [one, other].map(|skin| surfaces.skins[skin as usize].object);
             one != other && yields.are_related(one, other)

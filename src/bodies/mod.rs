@@ -5,7 +5,8 @@
 //! their corners are counted once a place (surfaces), edges tell whether they close and which hang
 //! together (seams), what is nearly closed is joined (closing); the closed surfaces are solids, and
 //! how often each goes round a point tells what is where (solids, layers for planes). Surfaces of
-//! bodies must not cross (crossing), and where one ends at another they are parted (flush). What they say against it is told apart (contradicted).
+//! bodies must not cross (crossing), and where one ends at another they are parted
+//! (flush), nor be too thin (thin). What they say against it is told apart (contradicted).
 
 mod asked;
 mod charts;
@@ -24,6 +25,7 @@ mod seams;
 mod solids;
 mod straddling;
 mod surfaces;
+mod thin;
 mod tree;
 mod triangles;
 mod view;

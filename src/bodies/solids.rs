@@ -155,6 +155,12 @@ impl<'s> Solids<'s> {
             .map(|it| (it != NONE).then_some(it))
     }
 
+    /// Whether two faces or balls bound one solid together.
+    pub fn are_of_one(&self, one: Item, other: Item) -> bool {
+        let sides = [one, other].map(|item| self.sides(item));
+        sides[0].iter().flatten().any(|it| sides[1].contains(&Some(*it)))
+    }
+
     /// How often a solid goes round a point that lies on no surface.
     pub fn goes_round(&self, solid: u32, at: DVec3) -> i32 {
         let turns = self.turns(at, None);

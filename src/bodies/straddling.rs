@@ -59,9 +59,7 @@ fn touches(solids: &Solids, may: &(dyn Fn(u32, u32) -> bool + Sync), together: f
             if !may(skin(surfaces, item), skin(surfaces, other))
                 && let Some(Contact::Touch(at)) = meet(surfaces, item, other, together)
             {
-                let sides = [item, other].map(|it| solids.sides(it));
-                let joined = sides[0].iter().flatten().any(|it| sides[1].contains(&Some(*it)));
-                if !joined {
+                if !solids.are_of_one(item, other) {
                     found.push(Touch { face: item, other, at });
                     found.push(Touch { face: other, other: item, at });
                 }

@@ -29,6 +29,9 @@ pub(super) struct Tree {
 /// More than one sheet.
 const MANY: u32 = u32::MAX;
 
+/// In the place of a sheet: items of all of them are near.
+pub(super) const ALL: u32 = u32::MAX;
+
 /// The box around an item.
 pub(super) fn bounds(surfaces: &Surfaces, item: Item) -> Bounds {
     match item.checked_sub(surfaces.faces.len()) {
@@ -46,6 +49,16 @@ impl Tree {
         let count = surfaces.faces.len() + surfaces.balls.len();
         let boxes: Vec<Bounds> =
             (0..count).into_par_iter().map(|item| bounds(surfaces, item)).collect();
+        Self::of(&boxes, |item| sheets[item as usize])
+    }
+
+    /// Over boxes: these are its items.
+    pub fn over(boxes: &[Bounds]) -> Self {
+        Self::of(boxes, |_| MANY)
+    }
+
+    fn of(boxes: &[Bounds], sheet_of: impl Fn(u32) -> u32) -> Self {
+        let count = boxes.len();
         let mut items: Vec<u32> = (0..count as u32).collect();
         let leaves = count.div_ceil(LEAF).next_power_of_two();
         let mut tree = Self {
@@ -54,13 +67,13 @@ impl Tree {
             boxes: vec![Bounds::EMPTY; 2 * leaves - 1],
             sheets: vec![MANY; 2 * leaves - 1],
         };
-        order(&mut items, &boxes, (0, leaves), (count, leaves));
+        order(&mut items, boxes, (0, leaves), (count, leaves));
         tree.items = items;
         for node in (0..2 * leaves - 1).rev() {
             let (around, sheet) = match tree.leaf(node) {
                 Some(items) => {
                     let all = items.iter().map(|item| boxes[*item as usize]);
-                    let mut known = items.iter().map(|item| sheets[*item as usize]);
+                    let mut known = items.iter().map(|item| sheet_of(*item));
                     let first = known.next().unwrap_or(MANY);
                     let one = known.all(|sheet| sheet == first);
                     (all.fold(Bounds::EMPTY, Bounds::union), if one { first } else { MANY })

@@ -10,7 +10,7 @@ use super::lights::LampParts;
 use super::materials::Table;
 use super::space::Space;
 use crate::bodies::{Body, Matter, Placed};
-use crate::diag::{Diagnostic, Level};
+use crate::diag::{Code, Diagnostic, Level};
 use crate::load::Stage;
 use crate::math::{Mesh, Progress, Transform};
 use crate::plan::{Feature, Plan};
@@ -49,6 +49,9 @@ const LEAST_STEPS: f64 = 16.0;
 /// fewer than `LEAST_CLEAR` one part in 100, and at its rim a third.
 const FEW_CLEAR: f64 = 2500.0;
 const LEAST_CLEAR: f64 = 100.0;
+
+/// More than this part of the triangles of clear matter are not lost.
+const MOST_LOST: f64 = 0.01;
 
 /// Distance of a plane from the middle of the scene, in world units: so far away it shows its
 /// horizon and no more, and well before 2⁶⁰ rays do not meet it any more.
@@ -97,7 +100,9 @@ pub(super) fn assemble(
             let triangles = placed.body.triangles() as u64;
             let counted = Counted { triangles, instance: true, ..Counted::default() };
             all.objects[placed.number as usize] = counted;
-            found.extend(too_small(stage, placed, space));
+            if let Some(fault) = too_small(stage, placed, space) {
+                tell(fault, found);
+            }
             continue;
         }
         let mut one = One {
@@ -116,8 +121,12 @@ pub(super) fn assemble(
         all.lamps.extend(lamps.into_values());
         all.slivers += slivers;
         match too_small(stage, placed, space) {
-            Some(fault) if slivers == 0 || fault.level == Level::Error => found.push(fault),
+            Some(fault) if slivers == 0 || fault.level == Level::Error => tell(fault, found),
             None if slivers == 0 => {}
+            _ if loses_light(stage, placed, slivers) => {
+                let of = placed.body.triangles();
+                tell(matter::lost_triangles(placed.name(), slivers, of), found);
+            }
             _ => {
                 found.push(errors::lost_triangles(placed.name(), slivers, placed.body.triangles()));
             }
@@ -125,6 +134,28 @@ pub(super) fn assemble(
     }
     progress.advance(bodies.len() as u64, bodies.len() as u64);
     all
+}
+
+/// Adds what is told of the size of an object, in place of what follows from it.
+fn tell(fault: Diagnostic, found: &mut Vec<Diagnostic>) {
+    let follows = |known: &Diagnostic| {
+        let same = known.labels.iter().any(|label| Some(label.span) == fault.place());
+        let codes = [Code::MATTER_COINCIDE, Code::MATTER_TOO_SMALL, Code::SCENE_TOO_SMALL];
+        same && codes.contains(&known.code)
+    };
+    match fault.level {
+        Level::Error => found.retain(|known| !follows(known)),
+        Level::Warning if found.iter().any(follows) => return,
+        Level::Warning => {}
+    }
+    found.push(fault);
+}
+
+/// Whether so many lost triangles of a body of clear matter let light through that they should
+/// hold: single ones are joints of scanned meshes, and have no area.
+fn loses_light(stage: &Stage, placed: &Placed, lost: u64) -> bool {
+    let clear = stage.scene.integrator.follows_light() && placed.transmits();
+    clear && lost as f64 > MOST_LOST * placed.body.triangles() as f64
 }
 
 /// How many vertices a body has, and how many normals at them.

@@ -1,6 +1,7 @@
 //! Bodies of clear matter, end to end: what is around what, without its being said.
 
 mod meeting;
+mod thin;
 #[path = "../shots/mod.rs"]
 mod shots;
 

@@ -3,7 +3,7 @@
 use super::*;
 
 /// A box from -1 to 1.
-const CUBE: &str =
+pub(super) const CUBE: &str =
     "v -1 -1 -1\nv -1 -1 1\nv -1 1 -1\nv -1 1 1\nv 1 -1 -1\nv 1 -1 1\nv 1 1 -1\nv 1 1 1
 f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
 

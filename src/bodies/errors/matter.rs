@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::bodies::closing::Wide;
+use crate::bodies::thin::{LEAST, Thin};
 use crate::diag::{Code, Diagnostic, Span};
 use crate::scene::At;
 
@@ -235,6 +236,41 @@ pub fn inside_out(medium: &str, object: &At<String>) -> Diagnostic {
             "turn its faces round in the program that made it. If it is a bubble, let its faces look \
              outward, name the medium of the bubble as its inside, and write `surroundings: {medium}`"
         ))
+}
+
+/// A body of clear matter whose two sides, or those of a gap in it, are nearer than single precision
+/// tells them apart; with some more steps between them it is rendered all the same.
+pub fn thin(object: &At<String>, thin: &Thin) -> Diagnostic {
+    let Thin { thickness, steps, .. } = *thin;
+    let what =
+        if thin.gap { format!("a gap in `{}`", **object) } else { format!("`{}`", **object) };
+    let thick = match thickness {
+        x if x < 1e-11 => "less than 0.01 nm".to_string(),
+        x => length(x, Round::Near),
+    };
+    let size = format!("{thick} near {}: {steps:.1} steps of single precision", place(thin.at));
+    let (fault, label, lost) = match steps < LEAST {
+        true => {
+            let headline =
+                format!("{what} is too thin beside the rest of the scene to be rendered as clear");
+            let fault = Diagnostic::error(Code::MATTER_TOO_SMALL, headline);
+            (
+                fault,
+                format!("{size}; {LEAST} is least"),
+                "Rays miss one of the two sides, and their light is wrong.",
+            )
+        }
+        false => {
+            let headline =
+                format!("{what} is too thin beside the rest of the scene to keep its form");
+            let fault = Diagnostic::warning(Code::SCENE_TOO_SMALL, headline);
+            (fault, size, "Light that goes through it may be lost.")
+        }
+    };
+    fault
+        .label(object.span, label)
+        .why(format!("Single precision tells positions apart to one part in 16 million of the distance from the middle of the scene. {lost}"))
+        .help("check its unit, and the factors of `scale`; or leave out what makes the scene so large")
 }
 
 /// More bodies that overlap than can be told apart.

@@ -26,6 +26,16 @@ pub fn too_small(name: &At<String>, steps: f64, least: f64) -> Diagnostic {
         .help("check its unit; or leave out what makes the scene so large")
 }
 
+/// A body of clear matter that loses triangles to rounding, and is not closed any more.
+pub fn lost_triangles(name: &At<String>, lost: u64, of: usize) -> Diagnostic {
+    let headline =
+        format!("`{}` loses {lost} of {of} triangles to rounding, and is not closed", **name);
+    Diagnostic::error(Code::MATTER_TOO_SMALL, headline)
+        .label(name.span, "too small or too thin there to be rendered as clear")
+        .why("Beside the size of the whole scene their corners coincide, or lie on a line, in single precision. Light that goes in there would never come out.")
+        .help("check its unit, and the factors of `scale`; or leave out what makes the scene so large")
+}
+
 /// A medium whose absorption is said in two ways.
 pub fn absorbs_twice(medium: &At<String>, index: Span, absorption: Span) -> Diagnostic {
     let headline = format!("the absorption of the medium `{}` is said twice", **medium);
