@@ -37,8 +37,11 @@ fn what_is_too_thin_for_light_to_go_through_is_refused_and_what_is_not_is_right(
         assert!(report.contains("matter/too-small"), "{report}");
         assert_eq!(report.matches("error[").count(), 1, "{report}");
     }
+    // Five steps: told, and rendered.
+    let report = pane("scale(1, 1, 3e-7)", "").expect_err("it is told");
+    assert!(report.contains("warning[scene/too-small]") && !report.contains("error["), "{report}");
     for place in
-        ["scale(1, 1, 3e-7)", "scale(1, 1, 1.5e-3)", "scale(1, 1, 3e-7), rotate((1, 2, 3), 20 deg)"]
+        ["scale(1, 1, 1.5e-3)", "scale(1, 1, 6e-7)", "scale(1, 1, 6e-7), rotate((1, 2, 3), 20 deg)"]
     {
         let picture = pane(place, "").unwrap_or_else(|report| panic!("{place}: {report}"));
         let off = picture.pixels.iter().map(|pixel| (pixel.g - 1.0).abs()).fold(0.0, f32::max);
@@ -57,15 +60,15 @@ fn a_body_that_is_small_and_lies_on_another_is_told_once() {
 
 #[test]
 fn sharp_edges_are_not_thin() {
-    // Two tips, and a rim where two shallow caps meet at a hundredth of a degree.
-    let lens: Vec<(f64, f64)> = (0..=16)
-        .map(|i| {
-            let r = f64::from(8 - (i as i32 - 8).abs()) / 8.0;
-            let side = if i < 8 { -1.0 } else { 1.0 };
-            (r, side * 1e-3 * (1.0 - r * r))
-        })
+    // Two shallow cones base to base: in the outermost ring of faces, less than a thousandth of
+    // them, there are two steps from one to the other.
+    let radii = [0.0, 0.5, 0.9, 0.9996, 1.0, 0.9996, 0.9, 0.5, 0.0];
+    let profile: Vec<(f64, f64)> = radii
+        .into_iter()
+        .enumerate()
+        .map(|(i, r)| (r, if i < 4 { r - 1.0 } else { 1.0 - r }))
         .collect();
-    let folder = folder(&[("lens.obj", &lathe(&[("glass", &lens)], 24))]);
-    let text = "object lens: mesh { file: \"lens.obj\", unit: m, material: dielectric { inside: glass } }\n";
+    let folder = folder(&[("lens.obj", &lathe(&[("glass", &profile)], 24))]);
+    let text = "object lens: mesh { file: \"lens.obj\", unit: m, material: dielectric { inside: glass }, place: [scale(1, 1e-3, 1)] }\n";
     world_in(folder.path(), text).unwrap_or_else(|report| panic!("{report}"));
 }
