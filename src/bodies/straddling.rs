@@ -58,11 +58,10 @@ fn touches(solids: &Solids, may: &(dyn Fn(u32, u32) -> bool + Sync), together: f
         pairs(solids, item, together, |other| {
             if !may(skin(surfaces, item), skin(surfaces, other))
                 && let Some(Contact::Touch(at)) = meet(surfaces, item, other, together)
+                && !solids.are_of_one(item, other)
             {
-                if !solids.are_of_one(item, other) {
-                    found.push(Touch { face: item, other, at });
-                    found.push(Touch { face: other, other: item, at });
-                }
+                found.push(Touch { face: item, other, at });
+                found.push(Touch { face: other, other: item, at });
             }
         });
         found
