@@ -10,7 +10,7 @@ use scn::scene::{self, Integrator, LightCount};
 
 use by_hand::{Hand, Patient, Ticking, at, path, render, splits};
 
-/// Columns and rows: more pixels than a wave has samples, and no whole number of waves.
+/// Columns and rows: with all samples more than a wave has, and no whole number of waves.
 const SIZE: [u64; 2] = [11, 7];
 
 /// Samples of a pixel: waves begin and end within pixels.

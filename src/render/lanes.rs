@@ -6,9 +6,9 @@
 
 use glam::Vec3;
 
-/// So many samples are taken together at most. All that is known of them fits a processor's nearest
-/// memory, and a round of `sobol` has as many if not said otherwise.
-pub const LANES: usize = 64;
+/// So many samples are taken together at most. All that is known of them fits a processor's second
+/// memory; and in the late turns, when most paths have ended, there are still enough to fill vectors.
+pub const LANES: usize = 256;
 
 /// A number of each sample.
 pub type Row<T = f32> = [T; LANES];
