@@ -36,7 +36,8 @@ impl Rgb {
     /// Whether every component is zero.
     #[inline]
     pub fn is_black(self) -> bool {
-        self == Self::BLACK
+        // Without jumps.
+        (self.r == 0.0) & (self.g == 0.0) & (self.b == 0.0)
     }
 
     /// Whether no component is infinite or not a number.

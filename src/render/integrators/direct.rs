@@ -89,7 +89,8 @@ impl Direct {
         if let Some(lighting) = &self.lighting {
             lighting.ask(world, site, stream, |arrival, taken| {
                 let Arrival { wi, irradiance, shadow, .. } = arrival;
-                if let Some(scattered) = lighting.scattered(bsdf, *wi, *irradiance) {
+                let (scattered, is_seen) = lighting.scattered(bsdf, *wi, *irradiance);
+                if is_seen {
                     let light = throughput * scattered * (1.0 / taken);
                     carrier.ask(world, lighting.shadows, shadow, (trail, light));
                 }

@@ -1,6 +1,7 @@
 //! The paths of a wave's samples in flight: which there are, and where each stands.
 
 use super::carrier::{Branch, Carrier, Trail};
+use super::lit::Lit;
 use super::path::Split;
 use super::{Ray, Source, Wave, World};
 use crate::math::Rgb;
@@ -28,6 +29,8 @@ pub struct Flight<M: Matter> {
     pub(super) trails: Vec<Option<Trail>>,
     /// The light that lamps have for them.
     pub(super) arrivals: Arrivals,
+    /// What they bring to each.
+    pub(super) lit: Lit,
     /// The directions that light comes from.
     pub(super) cosines: Cosines,
     /// What has been asked of lamps.
@@ -65,6 +68,7 @@ impl<M: Matter> Flight<M> {
             sites: Sites::default(),
             trails: Vec::new(),
             arrivals: Arrivals::default(),
+            lit: Lit::default(),
             cosines: Cosines::default(),
             questions: Questions::default(),
         }

@@ -81,13 +81,13 @@ impl Lighting {
         }
     }
 
-    /// What the surface scatters of light that arrives; None: nothing, whatever is in the way.
+    /// What the surface scatters of light that arrives, and whether that is anything if nothing is in
+    /// the way.
     #[inline(always)]
-    pub fn scattered(&self, bsdf: &impl Scatter, wi: Vec3, irradiance: Rgb) -> Option<Rgb> {
+    pub fn scattered(&self, bsdf: &impl Scatter, wi: Vec3, irradiance: Rgb) -> (Rgb, bool) {
         let scattered = bsdf.scattered(wi) * irradiance;
         // A surface hides first of all what is behind itself.
-        let seen = !scattered.is_black() && (!self.shadows || bsdf.faces(wi));
-        seen.then_some(scattered)
+        (scattered, !scattered.is_black() & (!self.shadows | bsdf.faces(wi)))
     }
 
     /// Asks for every point of every light, or of those that are chosen.

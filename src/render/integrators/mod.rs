@@ -5,6 +5,7 @@ mod carrier;
 mod direct;
 mod flight;
 mod lighting;
+mod lit;
 mod path;
 mod preview;
 mod roulette;

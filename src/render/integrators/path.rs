@@ -40,10 +40,13 @@ pub struct Splits {
 
 /// The power heuristic, with the square [Veach95]: the part of one way to find light that is
 /// found with density `a`, and by another way with density `b`.
-#[inline]
+#[inline(always)]
 pub(super) fn power(a: f32, b: f32) -> f32 {
     // By the ratio: squares of large densities have no place in f32.
-    if a > b { 1.0 / (1.0 + (b / a).powi(2)) } else { (a / b).powi(2) / (1.0 + (a / b).powi(2)) }
+    let (greater, lesser) = if a > b { (a, b) } else { (b, a) };
+    let ratio = lesser / greater;
+    let square = ratio * ratio;
+    (if a > b { 1.0 } else { square }) / (1.0 + square)
 }
 
 impl Path {

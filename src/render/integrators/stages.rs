@@ -1,14 +1,10 @@
 //! The stages of a path, each for all samples of a wave before the next: to a surface, what shines
 //! there, what lamps send, and on.
 
-use glam::Vec3;
-
 use super::carrier::{Branch, Carrier};
 use super::flight::{Flight, Surface};
-use super::lighting::Lighting;
-use super::path::{Path, Split, power};
+use super::path::Path;
 use super::{Source, Wave};
-use crate::math::Rgb;
 use crate::render::geometry::Hit;
 use crate::render::lights::{Arrival, Site};
 use crate::render::materials::{Matter, Scatter, Scattered};
@@ -65,6 +61,8 @@ impl Path {
             let site = Site::new(hit, &bsdf);
             let split = self.split(branch, &bsdf);
             flight.sites.push(&site);
+            let scatters = bsdf.lambert_of(split.part);
+            flight.lit.put(flight.surfaces.len(), scatters, (branch.throughput, split.rays));
             flight.surfaces.push(Surface { lane, place, site, bsdf, split });
         }
     }
@@ -73,7 +71,8 @@ impl Path {
     fn ask<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
         let Some(lighting) = &self.lighting else { return };
         let world = wave.world;
-        let Flight { branches, hits, surfaces, sites, trails, arrivals, questions, .. } = flight;
+        let Flight { branches, hits, surfaces, sites, trails, arrivals, lit, questions, .. } =
+            flight;
         let together = lighting.is_plain();
         trails.clear();
         wave.fours.clear();
@@ -93,51 +92,33 @@ impl Path {
             wave.fours.draw();
             world.lights.sample_all(&world.geometry, sites, &wave.fours, arrivals);
         }
-        for (nth, (surface, trail)) in surfaces.iter().zip(trails).enumerate() {
-            let Some(trail) = *trail else { continue };
-            let lane = surface.lane;
-            let seen = (branches[lane].throughput, surface);
-            if together {
-                let arrived = (arrivals.wi(nth), arrivals.irradiance(nth));
-                let light = self.light_of(lighting, seen, arrived, arrivals.density(nth));
-                if let Some(light) = light {
+        if together {
+            for (nth, light) in lit.find(surfaces.len(), (self, lighting), arrivals) {
+                if let Some(trail) = trails[nth] {
                     let answer = (world, lighting.shadows, &mut *wave.carriers);
+                    let lane = surfaces[nth].lane;
                     questions.ask(answer, lane, arrivals.shadow(nth), (trail, light));
                 }
-                continue;
             }
-            lighting.ask(world, &surface.site, &mut wave.streams[lane], |arrival, taken| {
+            return questions.answer(world, &mut wave.carriers);
+        }
+        for (surface, trail) in surfaces.iter().zip(trails) {
+            let Surface { lane, site, bsdf, split, .. } = surface;
+            let Some((trail, (lambert, chance))) = trail.zip(bsdf.lambert_of(split.part)) else {
+                continue;
+            };
+            let seen = (branches[*lane].throughput, lambert, [split.rays as f32, chance]);
+            lighting.ask(world, site, &mut wave.streams[*lane], |arrival, taken| {
                 let Arrival { wi, irradiance, pdf_w, shadow } = *arrival;
-                let light = self.light_of(lighting, seen, (wi, irradiance), (pdf_w, taken));
-                if let Some(light) = light {
+                let arrived = (wi, irradiance);
+                let (light, some) = self.light_of(lighting, seen, arrived, (pdf_w, taken));
+                if some {
                     let answer = (world, lighting.shadows, &mut *wave.carriers);
-                    questions.ask(answer, lane, shadow, (trail, light));
+                    questions.ask(answer, *lane, shadow, (trail, light));
                 }
             });
         }
         questions.answer(world, &mut wave.carriers);
-    }
-
-    /// What a light that was asked brings if nothing is in its way: one that arrives at a surface by a
-    /// path of this throughput. Its direction was found with density `pdf_w`, in so many samples.
-    #[inline(always)]
-    fn light_of<M: Matter>(
-        &self,
-        lighting: &Lighting,
-        (throughput, surface): (Rgb, &Surface<M>),
-        (wi, irradiance): (Vec3, Rgb),
-        (pdf_w, taken): (f32, f32),
-    ) -> Option<Rgb> {
-        let scattered = lighting.scattered(&surface.bsdf, wi, irradiance)?;
-        let density = taken * pdf_w;
-        // No other way finds it, or none is to count.
-        let part = if density == 0.0 || !self.mis {
-            1.0
-        } else {
-            let Split { rays, part, .. } = surface.split;
-            power(density, rays as f32 * surface.bsdf.pdf_w(part, wi))
-        };
-        Some(throughput * scattered * (part / taken))
     }
 
     /// Sends the paths on. Where several rays go on from a surface, they wait.

@@ -32,9 +32,9 @@ impl Diffuse {
 pub struct Lambert {
     pub(super) albedo: Rgb,
     /// Geometric normal on the viewer's side.
-    ng: Vec3,
+    pub(super) ng: Vec3,
     /// Shading normal on the same side.
-    ns: Vec3,
+    pub(super) ns: Vec3,
 }
 
 impl Lambert {
@@ -45,13 +45,13 @@ impl Lambert {
     }
 
     /// albedo/π times the cosine at the shading normal.
-    #[inline]
+    #[inline(always)]
     pub(super) fn scattered(&self, wi: Vec3) -> Rgb {
         self.albedo * (FRAC_1_PI * self.ns.dot(wi).max(0.0))
     }
 
     /// Whether `wi` is on the viewer's side of the geometric surface.
-    #[inline]
+    #[inline(always)]
     pub(super) fn faces(&self, wi: Vec3) -> bool {
         self.ng.dot(wi) > 0.0
     }
@@ -80,8 +80,8 @@ impl Lambert {
     }
 
     /// cos θ/π.
-    #[inline]
-    pub(super) fn pdf_w(&self, wi: Vec3) -> f32 {
+    #[inline(always)]
+    pub fn pdf_w(&self, wi: Vec3) -> f32 {
         cosine(self.ns, wi)
     }
 }

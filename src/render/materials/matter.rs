@@ -46,8 +46,8 @@ pub trait Scatter {
     fn side(&self) -> Vec3;
     /// See [`Bsdf::sample`].
     fn sample(&self, part: Part, u: [f64; 4]) -> Option<Scattered>;
-    /// See [`Bsdf::pdf_w`].
-    fn pdf_w(&self, part: Part, wi: Vec3) -> f32;
+    /// See [`Bsdf::lambert_of`].
+    fn lambert_of(&self, part: Part) -> Option<(&Lambert, f32)>;
     /// See [`Bsdf::specular`].
     fn specular(&self) -> [Option<Scattered>; 2];
 }
@@ -99,12 +99,12 @@ impl Matter for OnlyDiffuse {
 }
 
 impl Scatter for Lambert {
-    #[inline]
+    #[inline(always)]
     fn scattered(&self, wi: Vec3) -> Rgb {
         self.scattered(wi)
     }
 
-    #[inline]
+    #[inline(always)]
     fn faces(&self, wi: Vec3) -> bool {
         self.faces(wi)
     }
@@ -129,9 +129,9 @@ impl Scatter for Lambert {
         if part == Part::Specular { None } else { self.sample([u[0], u[1]]) }
     }
 
-    #[inline]
-    fn pdf_w(&self, part: Part, wi: Vec3) -> f32 {
-        if part == Part::Specular { 0.0 } else { self.pdf_w(wi) }
+    #[inline(always)]
+    fn lambert_of(&self, part: Part) -> Option<(&Lambert, f32)> {
+        (part != Part::Specular).then_some((self, 1.0))
     }
 
     #[inline]
@@ -165,8 +165,8 @@ impl Scatter for Bsdf {
         self.sample(part, u)
     }
 
-    fn pdf_w(&self, part: Part, wi: Vec3) -> f32 {
-        self.pdf_w(part, wi)
+    fn lambert_of(&self, part: Part) -> Option<(&Lambert, f32)> {
+        self.lambert_of(part)
     }
 
     fn specular(&self) -> [Option<Scattered>; 2] {

@@ -138,8 +138,9 @@ impl Mixed {
         way.filter(|_| chance > 0.0).map(|way| Scattered { weight: way.weight / chance, ..way })
     }
 
-    pub(super) fn pdf_w(&self, part: Part, wi: Vec3) -> f32 {
-        self.chances(part).scattered * self.lambert.pdf_w(wi)
+    /// With which chance what is scattered to all sides is sampled.
+    pub(super) fn chance(&self, part: Part) -> f32 {
+        self.chances(part).scattered
     }
 }
 
@@ -161,6 +162,10 @@ mod tests {
             (0.3, Surface::Dielectric(Dielectric { inside: 1.5, outside: 1.0 })),
         ];
         Mixture { parts }
+    }
+
+    fn pdf_w(mixed: &Mixed, part: Part, wi: Vec3) -> f32 {
+        mixed.chance(part) * mixed.lambert.pdf_w(wi)
     }
 
     fn numbers(place: u64) -> [f64; 4] {
@@ -239,7 +244,7 @@ mod tests {
                     counts[RINGS * SECTORS] += 1;
                     continue;
                 };
-                assert!((mixed.pdf_w(part, way.wi) / way.pdf_w - 1.0).abs() < 1e-5);
+                assert!((pdf_w(&mixed, part, way.wi) / way.pdf_w - 1.0).abs() < 1e-5);
                 let turn = way.wi.y.atan2(way.wi.x) / std::f32::consts::TAU + 0.5;
                 let ring = ((way.wi.z * RINGS as f32) as usize).min(RINGS - 1);
                 counts[ring * SECTORS + ((turn * SECTORS as f32) as usize).min(SECTORS - 1)] += 1;
@@ -248,7 +253,7 @@ mod tests {
             let mut expected = Vec::new();
             for ring in 0..RINGS {
                 let z = (ring as f32 + 0.5) / RINGS as f32;
-                let pdf_w = mixed.pdf_w(part, Vec3::new((1.0 - z * z).sqrt(), 0.0, z));
+                let pdf_w = pdf_w(&mixed, part, Vec3::new((1.0 - z * z).sqrt(), 0.0, z));
                 let solid_angle = std::f64::consts::TAU / (RINGS * SECTORS) as f64;
                 expected.extend([f64::from(pdf_w) * solid_angle; SECTORS]);
             }
@@ -270,7 +275,7 @@ mod tests {
         assert!(!mixed.scatters());
         for part in [Part::All, Part::Scattering, Part::Specular] {
             assert!((0..100).all(|i| mixed.sample(part, numbers(i)).is_none()));
-            assert_eq!(mixed.pdf_w(part, Vec3::Z), 0.0);
+            assert_eq!(pdf_w(&mixed, part, Vec3::Z), 0.0);
         }
     }
 }

@@ -8,6 +8,7 @@ mod cosines;
 mod dielectric;
 mod diffuse;
 mod facing;
+mod lamberts;
 mod matter;
 mod mirror;
 mod mixture;
@@ -19,6 +20,7 @@ pub use conductor::Conductor;
 pub use cosines::Cosines;
 pub use dielectric::{Dielectric, Interface};
 pub use diffuse::{Diffuse, Lambert};
+pub use lamberts::Lamberts;
 pub use matter::{Any, Makeup, Matter, OnlyDiffuse, Scatter};
 pub use mirror::{Mirror, Reflector};
 pub use mixture::{Mixed, Mixture};
@@ -160,6 +162,17 @@ impl Bsdf {
         }
     }
 
+    /// The same, with the chance by which `sample` takes it.
+    pub fn lambert_of(&self, part: Part) -> Option<(&Lambert, f32)> {
+        match (self, part) {
+            (Self::Mixed(mixed), _) if mixed.scatters() => {
+                Some((mixed.lambert(), mixed.chance(part)))
+            }
+            (Self::Lambert(lambert), Part::All | Part::Scattering) => Some((lambert, 1.0)),
+            _ => None,
+        }
+    }
+
     /// The BSDF towards the viewer of light from `wi`, times the cosine at the shading normal,
     /// in 1/sr; without specular parts.
     pub fn scattered(&self, wi: Vec3) -> Rgb {
@@ -208,11 +221,7 @@ impl Bsdf {
 
     /// Density in solid angle with which `sample` gives a direction; without specular ones.
     pub fn pdf_w(&self, part: Part, wi: Vec3) -> f32 {
-        match (self, part) {
-            (Self::Mixed(mixed), _) => mixed.pdf_w(part, wi),
-            (Self::Lambert(lambert), Part::All | Part::Scattering) => lambert.pdf_w(wi),
-            _ => 0.0,
-        }
+        self.lambert_of(part).map_or(0.0, |(lambert, chance)| chance * lambert.pdf_w(wi))
     }
 
     /// All directions that are the only ones: each with the part of the light that goes there.
