@@ -4,7 +4,7 @@
 //! compiled for that processor whole.
 
 use super::best::{Best, Meeting};
-use super::lanes::{Lanes, Portable};
+use super::lanes::{Lanes, Portable, Task};
 use super::ray::Probe;
 use super::walk::walk;
 use super::{Geometry, Hit, Ray};
@@ -28,6 +28,15 @@ impl Walker {
             return Self::Avx2(lanes);
         }
         Self::PORTABLE
+    }
+
+    /// Does something by these instructions.
+    pub fn apart<T: Task>(self, task: T) -> T::Answer {
+        match self {
+            Self::Portable(lanes) => lanes.apart(task),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(lanes) => lanes.apart(task),
+        }
     }
 
     /// See [`Geometry::closest`].

@@ -46,7 +46,7 @@ macro_rules! run {
 
 #[target_feature(enable = "avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
 #[inline(never)]
-fn apart<T: Task<Avx2>>(lanes: Avx2, task: T) -> T::Answer {
+fn apart<T: Task>(lanes: Avx2, task: T) -> T::Answer {
     task.run(lanes)
 }
 
@@ -126,12 +126,12 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
-    fn fetch<T>(self, many: &[T], number: usize) {
+    fn fetch(self, at: *const u8) {
         const LINE: usize = 64;
-        // Where there is none, nothing is read: an address alone does no harm.
-        let one = many.as_ptr().wrapping_add(number).cast::<i8>();
-        for line in 0..size_of::<T>().div_ceil(LINE) {
-            run!(_mm_prefetch::<_MM_HINT_T0>(one.wrapping_add(line * LINE)));
+        // A block is five lines, a node four.
+        for line in 0..5 {
+            // Where nothing is to be read, an address alone does no harm.
+            run!(_mm_prefetch::<_MM_HINT_T0>(at.wrapping_add(line * LINE).cast()));
         }
     }
 
@@ -173,7 +173,7 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
-    fn apart<T: Task<Self>>(self, task: T) -> T::Answer {
+    fn apart<T: Task>(self, task: T) -> T::Answer {
         run!(apart(self, task))
     }
 

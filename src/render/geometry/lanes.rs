@@ -22,10 +22,10 @@ pub(super) fn sixteen(number: f32) -> u32 {
 pub(super) const NONE_LEFT: u32 = 0xFFFF;
 
 /// Something to do by a processor's instructions; to be inlined.
-pub(super) trait Task<L> {
+pub(super) trait Task {
     type Answer;
 
-    fn run(self, lanes: L) -> Self::Answer;
+    fn run<L: Lanes>(self, lanes: L) -> Self::Answer;
 }
 
 /// Arithmetic on [`LANES`] numbers. An implementation is proof that the processor can do it.
@@ -54,8 +54,8 @@ pub(super) trait Lanes: Copy {
     /// A bit for each lane where a ≤ b.
     fn at_most(self, a: Self::Eight, b: Self::Eight) -> u32;
 
-    /// Asks memory for one of many, if there is such a one.
-    fn fetch<T>(self, many: &[T], number: usize);
+    /// Asks memory for a node or a block, if there is one. Nothing is read of it.
+    fn fetch(self, at: *const u8);
 
     /// Coordinates in another order.
     fn turned(self, a: Vec3A, turn: &Turn) -> Vec3A;
@@ -74,7 +74,7 @@ pub(super) trait Lanes: Copy {
     fn without(self, queue: Self::Queue, lane: usize) -> Self::Queue;
 
     /// Does something in a function of its own, compiled for these instructions.
-    fn apart<T: Task<Self>>(self, task: T) -> T::Answer;
+    fn apart<T: Task>(self, task: T) -> T::Answer;
 
     /// Three numbers of f64 and a zero. Each operation is rounded by itself, the same everywhere.
     type Exact: Copy;
@@ -204,7 +204,7 @@ impl Lanes for Portable {
 
     /// Nothing that every processor has.
     #[inline(always)]
-    fn fetch<T>(self, _: &[T], _: usize) {}
+    fn fetch(self, _: *const u8) {}
 
     #[inline(always)]
     fn turned(self, a: Vec3A, turn: &Turn) -> Vec3A {
@@ -251,7 +251,7 @@ impl Lanes for Portable {
     }
 
     #[inline(never)]
-    fn apart<T: Task<Self>>(self, task: T) -> T::Answer {
+    fn apart<T: Task>(self, task: T) -> T::Answer {
         task.run(self)
     }
 

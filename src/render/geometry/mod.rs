@@ -16,9 +16,11 @@ mod crowd;
 mod disk;
 mod doubts;
 mod few;
+mod fleet;
 mod hits;
 mod instance;
 mod lanes;
+mod leaf;
 mod node;
 mod packet;
 mod pages;
@@ -34,6 +36,7 @@ mod template;
 mod tree;
 mod triangle;
 mod walk;
+mod way;
 mod wide;
 
 #[cfg(test)]

@@ -28,6 +28,9 @@ pub(super) enum Below {
 impl Child {
     pub const ROOT: Self = Self(NODE << SHIFT);
 
+    /// Neither a node nor what holds shapes: no tree has so many nodes.
+    pub const NONE: Self = Self(NODE << SHIFT | NUMBER);
+
     pub fn node(index: usize) -> Self {
         Self(NODE << SHIFT | index as u32)
     }
@@ -40,6 +43,24 @@ impl Child {
     pub fn round(primitive: Primitive) -> Self {
         debug_assert!(matches!(primitive.kind(), Kind::Sphere | Kind::Disk));
         Self(primitive.bits())
+    }
+
+    /// Whether it is a node.
+    #[inline(always)]
+    pub fn is_node(self) -> bool {
+        self.0 < Self::NONE.0
+    }
+
+    /// Whether it holds shapes.
+    #[inline(always)]
+    pub fn is_leaf(self) -> bool {
+        self.0 > Self::NONE.0
+    }
+
+    /// Of a node or a block.
+    #[inline(always)]
+    pub fn number(self) -> usize {
+        (self.0 & NUMBER) as usize
     }
 
     #[inline(always)]

@@ -12,14 +12,14 @@ use std::mem::MaybeUninit;
 
 use glam::Vec3A;
 
-use super::best::{self, Best};
-use super::block::{Block, Bounded};
-use super::lanes::{LANES, Lanes, NONE_LEFT, Task, sixteen};
+use super::best::Best;
+use super::block::Block;
+use super::lanes::{LANES, Lanes, NONE_LEFT, sixteen};
+use super::leaf::Asked;
 use super::node::{Below, Child, Node, Side};
 use super::ray::{Axis, Probe};
-use super::shapes::{Kind, Primitive, Shapes};
+use super::shapes::{Primitive, Shapes};
 use super::tree::Tree;
-use super::{disk, sphere};
 
 /// 16u, u = 2⁻²⁴: more than near, far and the best t can be apart by rounding, for their size.
 pub(super) const WIDEN: f32 = 1.0 + 8.0 * f32::EPSILON;
@@ -36,7 +36,8 @@ pub(super) fn walk<L: Lanes, const ANY: bool>(
     probe: &Probe,
     best: &mut Best,
 ) -> bool {
-    let mut world = World::<L, ANY> { tree, shapes, probe, slabs: Slabs::new(lanes, probe), best };
+    let slabs = Slabs::new(lanes, probe);
+    let mut world = World::<L, ANY> { asked: Asked { tree, shapes, probe, best }, slabs };
     descend::<L, ANY, _>(lanes, &tree.nodes, &mut world)
 }
 
@@ -58,13 +59,10 @@ pub(super) trait Ends<L: Lanes> {
     fn round(&mut self, lanes: L, primitive: Primitive) -> bool;
 }
 
-/// The shapes of the world, and the tree over them.
+/// A ray on its way down the tree over the shapes of the world.
 struct World<'a, L: Lanes, const ANY: bool> {
-    tree: &'a Tree,
-    shapes: &'a Shapes,
-    probe: &'a Probe,
+    asked: Asked<'a, ANY>,
     slabs: Slabs<L>,
-    best: &'a mut Best,
 }
 
 impl<L: Lanes, const ANY: bool> Ends<L> for World<'_, L, ANY> {
@@ -75,27 +73,22 @@ impl<L: Lanes, const ANY: bool> Ends<L> for World<'_, L, ANY> {
 
     #[inline(always)]
     fn blocks(&self) -> &[Block] {
-        &self.tree.blocks
+        &self.asked.tree.blocks
     }
 
     #[inline(always)]
     fn limit(&self) -> f32 {
-        self.best.t
+        self.asked.best.t
     }
 
     #[inline(always)]
     fn block(&mut self, lanes: L, number: usize, span: f32) -> bool {
-        meet_block(lanes, self, number, span)
+        self.asked.block(lanes, number, span)
     }
 
     #[inline(always)]
     fn round(&mut self, lanes: L, primitive: Primitive) -> bool {
-        if let Some(t) = meet_round(self.shapes, self.probe, primitive) {
-            self.best.settle(lanes, &self.tree.blocks, self.probe);
-            self.best.offer(t, primitive);
-            return ANY && self.best.primitive.is_some();
-        }
-        false
+        self.asked.round(lanes, primitive)
     }
 }
 
@@ -114,12 +107,11 @@ pub(super) fn descend<L: Lanes, const ANY: bool, E: Ends<L>>(
 
 /// Asks memory for a child that is to be looked into later.
 #[inline(always)]
-fn fetch<L: Lanes>(lanes: L, nodes: &[Node], blocks: &[Block], child: Child) {
-    match child.below() {
-        Below::Node(number) => lanes.fetch(nodes, number),
-        Below::Block(number) => lanes.fetch(blocks, number),
-        Below::Round(_) => {}
-    }
+pub(super) fn fetch<L: Lanes>(lanes: L, nodes: &[Node], blocks: &[Block], child: Child) {
+    // By a choice, not by a jump.
+    let node = nodes.as_ptr().wrapping_add(child.number()).cast::<u8>();
+    let block = blocks.as_ptr().wrapping_add(child.number()).cast::<u8>();
+    lanes.fetch(if child.is_node() { node } else { block });
 }
 
 /// Nearest boxes first.
@@ -202,95 +194,6 @@ fn any<L: Lanes, E: Ends<L>>(lanes: L, nodes: &[Node], ends: &mut E) -> bool {
     }
 }
 
-/// Offers the triangles that the ray meets; with `ANY`, whether it meets one of them.
-#[inline(always)]
-fn meet_block<L: Lanes, const ANY: bool>(
-    lanes: L,
-    world: &mut World<L, ANY>,
-    number: usize,
-    span: f32,
-) -> bool {
-    let blocks = &world.tree.blocks;
-    let block = &blocks[number];
-    if world.probe.extreme {
-        return lanes.apart(Rest::<L, ANY> { world, number, lanes: block.all(), inside: 0 });
-    }
-    let mut seen = block.seen(lanes, world.probe, span);
-    if seen.possible != 0 {
-        seen.possible &= !block.left_out(lanes, world.probe);
-    }
-    if seen.possible == 0 {
-        return false;
-    }
-    let Bounded { inside, between: [least, most] } = seen.bounded(lanes, world.probe);
-    let possible = seen.possible;
-    let tiny = lanes.splat(f32::MIN_POSITIVE);
-    let ahead = inside & lanes.at_most(tiny, least);
-    let behind = inside & lanes.at_most(most, lanes.sub(lanes.splat(0.0), tiny));
-    let first = ahead & lanes.at_most(least, lanes.splat(world.best.t));
-    // Neither certainly behind the origin, nor certainly met.
-    let left = possible & !(ahead | behind);
-    if ANY {
-        let met = first & lanes.at_most(most, lanes.splat(world.best.t.next_down()));
-        let left = left | first;
-        return met != 0
-            || left != 0 && lanes.apart(Rest::<L, ANY> { world, number, lanes: left, inside });
-    }
-    if first != 0 {
-        let (least, most) = (lanes.store(least), lanes.store(most));
-        let mut first = first;
-        while first != 0 {
-            let lane = first.trailing_zeros() as usize % LANES;
-            first &= first - 1;
-            let place = best::place(number, lane);
-            world.best.offer_within([least[lane], most[lane]], (blocks, place), world.probe);
-        }
-    }
-    left != 0 && lanes.apart(Rest::<L, ANY> { world, number, lanes: left, inside })
-}
-
-/// Triangles of a block that f32 is not sure about.
-struct Rest<'a, 'w, L: Lanes, const ANY: bool> {
-    world: &'a mut World<'w, L, ANY>,
-    number: usize,
-    /// A bit for each.
-    lanes: u32,
-    /// A bit for each whose edges the ray is known to pass inside of.
-    inside: u32,
-}
-
-impl<L: Lanes, const ANY: bool> Task<L> for Rest<'_, '_, L, ANY> {
-    type Answer = bool;
-
-    #[inline(always)]
-    fn run(self, lanes: L) -> bool {
-        let World { tree, probe, best, .. } = self.world;
-        let block = &tree.blocks[self.number];
-        let mut left = self.lanes;
-        while left != 0 {
-            let lane = left.trailing_zeros() as usize % LANES;
-            left &= left - 1;
-            let inside = self.inside & (1 << lane) != 0;
-            if let Some(t) = block.face(lane).meet(lanes, probe, inside) {
-                best.settle(lanes, &tree.blocks, probe);
-                best.offer_at(t, block.primitive(lane), best::place(self.number, lane));
-                if ANY && best.primitive.is_some() {
-                    return true;
-                }
-            }
-        }
-        false
-    }
-}
-
-#[inline(never)]
-fn meet_round(shapes: &Shapes, probe: &Probe, primitive: Primitive) -> Option<f32> {
-    match primitive.kind() {
-        Kind::Sphere => sphere::meet(probe, &shapes.spheres[primitive.index()]),
-        _ => disk::meet(probe, &shapes.disks[primitive.index()]),
-    }
-}
-
 /// A ray as boxes want it.
 #[derive(Clone, Copy)]
 pub(super) struct Slabs<L: Lanes> {
@@ -336,14 +239,14 @@ impl<L: Lanes> Slabs<L> {
 
     /// The boxes that the ray meets, by where it enters them.
     #[inline(always)]
-    fn queue(&self, lanes: L, node: &Node, limit: f32) -> L::Queue {
+    pub fn queue(&self, lanes: L, node: &Node, limit: f32) -> L::Queue {
         let (near, far) = self.meet(lanes, node, limit);
         lanes.queue(near, far)
     }
 
     /// A bit for each box that the ray meets.
     #[inline(always)]
-    fn met(&self, lanes: L, node: &Node, limit: f32) -> u32 {
+    pub fn met(&self, lanes: L, node: &Node, limit: f32) -> u32 {
         let (near, far) = self.meet(lanes, node, limit);
         lanes.at_most(near, far)
     }
