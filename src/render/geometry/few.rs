@@ -5,6 +5,7 @@
 //! rays certainly miss it, and which certainly meet it before whatever they met so far ([`Plate`]).
 //! What remains is noted and decided in f64 at the end, by the same operations as for single rays.
 
+use super::balls::Ball;
 use super::best::{Meeting, Place};
 use super::block::Block;
 use super::crowd::Crowd;
@@ -18,7 +19,7 @@ use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
 use super::triangle::Face;
 use super::wide::{MOST, Numbers, Row, Wide, ones};
-use super::{Geometry, disk, plane, sphere};
+use super::{Geometry, disk, plane};
 
 /// More triangles than this are better met by way of the tree.
 pub(super) const MOST_TRIANGLES: usize = 128;
@@ -35,9 +36,10 @@ pub(super) struct Few {
     leaves: Vec<Leaf>,
     plates: Vec<Plate>,
     exact: Vec<Exact>,
-    /// Planes, spheres and disks.
+    balls: Vec<Ball>,
+    /// Planes and disks.
     round: Vec<Primitive>,
-    /// Whether there is nothing else: no round shapes, no instances.
+    /// Whether there is nothing else: none of those, no instances.
     pub alone: bool,
 }
 
@@ -81,8 +83,17 @@ impl Few {
             primitive: Primitive::new(Kind::Plane, 0),
             place: 0,
         });
-        few.alone = round == 0 && crowd.is_empty();
-        few.round = shapes.primitives().filter(|p| p.kind() != Kind::Triangle).collect();
+        for primitive in shapes.primitives() {
+            match primitive.kind() {
+                Kind::Triangle => {}
+                Kind::Sphere => {
+                    let sphere = shapes.spheres[primitive.index()];
+                    few.balls.push(Ball { sphere, primitive });
+                }
+                Kind::Disk | Kind::Plane => few.round.push(primitive),
+            }
+        }
+        few.alone = few.round.is_empty() && crowd.is_empty();
         (few.plates.len() <= MOST_TRIANGLES).then_some(few)
     }
 
@@ -108,27 +119,36 @@ impl Few {
         self.leaves.capacity() * size_of::<Leaf>()
             + self.plates.capacity() * size_of::<Plate>()
             + self.exact.capacity() * size_of::<Exact>()
+            + self.balls.capacity() * size_of::<Ball>()
             + self.round.capacity() * size_of::<Primitive>()
     }
 }
 
 /// What the rays of a packet meet first.
 pub(super) struct Found {
-    t: Row,
-    primitive: [u32; MOST],
-    place: [u32; MOST],
+    pub t: Row,
+    pub primitive: [u32; MOST],
+    /// Of triangles where they are kept.
+    pub place: [u32; MOST],
     /// A bit for each ray that meets something.
-    met: u32,
+    pub met: u32,
     /// A bit for each ray that was asked: others are to be asked alone.
     pub asked: u32,
 }
 
 impl Found {
+    /// Stands for the place of other shapes.
+    pub const NO_PLACE: u32 = u32::MAX;
+
     #[inline(always)]
     pub fn meeting(&self, lane: usize) -> Option<Meeting> {
         let bit = lane % MOST;
         let primitive = Primitive::from_bits(self.primitive[bit]);
-        let meeting = Meeting { t: self.t.0[bit], primitive, place: Place::Tree(self.place[bit]) };
+        let place = match self.place[bit] {
+            Self::NO_PLACE => Place::Shapes,
+            place => Place::Tree(place),
+        };
+        let meeting = Meeting { t: self.t.0[bit], primitive, place };
         (self.met & 1 << bit != 0).then_some(meeting)
     }
 }
@@ -201,7 +221,11 @@ impl Few {
                 self.offer(geometry, packet, &mut first, (lane, number, t.0[lane], inside));
             }
         }
-        self.settle::<W>(packet, &first)
+        let mut found = self.settle::<W>(packet, &first);
+        for ball in &self.balls {
+            ball.come_first::<W>(packet, &mut found);
+        }
+        found
     }
 
     /// Offers a triangle whose plane a ray meets at t, not after what it met so far.
@@ -285,7 +309,7 @@ impl Few {
         (bits.to_bits() as usize).min(self.plates.len())
     }
 
-    /// What a ray meets first, with what is no triangle.
+    /// What a ray meets first, with planes, disks and instances.
     #[inline(never)]
     pub fn among_others(
         &self,
@@ -309,7 +333,7 @@ impl Few {
         }
     }
 
-    /// Whether a ray meets anything that is no triangle.
+    /// Whether a ray meets any of those.
     #[inline(never)]
     pub fn others_occlude(&self, geometry: &Geometry, ray: &Ray) -> bool {
         let mut any = false;
@@ -318,16 +342,15 @@ impl Few {
         any || !geometry.crowd.is_empty() && walker.occluded_by_crowd(geometry, ray)
     }
 
-    /// Tells of each round shape that a ray meets, and where.
+    /// Tells of each plane and disk that a ray meets, and where.
     fn ask_round(&self, geometry: &Geometry, ray: &Ray, mut tell: impl FnMut(f32, Primitive)) {
         let Some(probe) = Probe::new(Portable, ray, true) else { return };
         for primitive in &self.round {
             let (index, shapes) = (primitive.index(), &geometry.shapes);
             let t = match primitive.kind() {
-                Kind::Sphere => sphere::meet(&probe, &shapes.spheres[index]),
                 Kind::Disk => disk::meet(&probe, &shapes.disks[index]),
                 Kind::Plane => plane::meet(&probe, &shapes.planes[index]),
-                Kind::Triangle => None,
+                Kind::Triangle | Kind::Sphere => None,
             };
             if let Some(t) = t {
                 tell(t, *primitive);
@@ -335,7 +358,8 @@ impl Few {
         }
     }
 
-    /// A bit for each ray of a packet that meets any triangle; and one for each that was asked.
+    /// A bit for each ray of a packet that meets any triangle or sphere; and one for each that was
+    /// asked.
     #[inline(always)]
     pub fn any<W: Wide>(
         &self,
@@ -397,6 +421,9 @@ impl Few {
                 let inside = doubt.inside & 1 << lane != 0;
                 any |= u32::from(inside || self.passes(geometry, packet, lane, number)) << lane;
             }
+        }
+        for ball in &self.balls {
+            any |= ball.occludes::<W>(packet);
         }
         (any, asked)
     }

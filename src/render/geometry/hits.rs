@@ -1,4 +1,4 @@
-//! Everything about the meetings of several rays with triangles of the tree at once.
+//! Everything about the meetings of several rays with triangles of the tree and spheres at once.
 //!
 //! By the operations of [`super::triangle::Face::surface`] in the same order, one ray a lane: f64
 //! rounds each by itself, so the bits are the same. The axes of a triangle's parts are those of its
@@ -7,6 +7,7 @@
 use glam::{DVec2, Vec2, Vec3};
 
 use super::Geometry;
+use super::balls::Balls;
 use super::best::{Meeting, Place};
 use super::lanes::LANES;
 use super::ray::{Hit, Ray, Sheet, Turn};
@@ -61,6 +62,7 @@ impl Job for HitAll<'_> {
             normal: [[0.0; MOST]; 3],
             weights: [[0.0; MOST]; 3],
         };
+        let mut balls = Balls::NONE;
         let all = rays.chunks(W::WIDTH).zip(met.chunks(W::WIDTH)).zip(hits.chunks_mut(W::WIDTH));
         for ((rays, met), hits) in all {
             for (lane, (ray, meeting)) in rays.iter().zip(met).enumerate() {
@@ -82,7 +84,10 @@ impl Job for HitAll<'_> {
                     others |= u32::from(meeting.is_some()) << lane;
                 }
             }
-            for lane in ones(others) {
+            if others == 0 {
+                continue;
+            }
+            for lane in ones(balls.hits::<W>(geometry, others, (rays, met), hits)) {
                 hits[lane] = met[lane].map(|meeting| geometry.hit(&rays[lane], &meeting));
             }
         }

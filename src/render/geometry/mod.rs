@@ -8,6 +8,7 @@
 mod ask;
 #[cfg(target_arch = "x86_64")]
 mod avx2;
+mod balls;
 mod best;
 mod block;
 mod build;
