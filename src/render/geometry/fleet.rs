@@ -18,169 +18,186 @@ use super::ray::{Probe, Ray};
 use super::way::{Largest, Nearest, Waits, Way};
 
 /// Rays that are on their way at once, at most.
-pub(super) const MOST: usize = 64;
+const MOST: usize = 64;
 
 /// Fewer rays are faster one by one: none takes its steps while another's are not yet done.
 pub(super) const LEAST: usize = 32;
 
-/// Rays of a fleet by number: those at nodes from the front, those at leaves from the back.
+/// Places of rays in a fleet.
 struct List {
     all: [u8; MOST],
-    nodes: usize,
-    leaves: usize,
+    count: usize,
 }
 
 impl List {
-    const EMPTY: Self = Self { all: [0; MOST], nodes: 0, leaves: 0 };
+    const EMPTY: Self = Self { all: [0; MOST], count: 0 };
 
-    /// One that comes to a node or to a leaf; one at the end is left out.
+    /// One more, if it really is one; without a jump.
     #[inline(always)]
-    fn push(&mut self, number: usize, next: Child) {
-        self.all[self.nodes % MOST] = number as u8;
-        self.nodes += usize::from(next.is_node());
-        self.all[(2 * MOST - 1 - self.leaves) % MOST] = number as u8;
-        self.leaves += usize::from(next.is_leaf());
+    fn push(&mut self, place: usize, really: bool) {
+        self.all[self.count % MOST] = place as u8;
+        self.count += usize::from(really);
     }
 
-    /// The nth of those at nodes.
     #[inline(always)]
-    fn at_node(&self, nth: usize) -> usize {
+    fn get(&self, nth: usize) -> usize {
         usize::from(self.all[nth % MOST]) % MOST
     }
 
-    /// The nth of those at leaves.
+    /// The last comes in place of one that is left out.
     #[inline(always)]
-    fn at_leaf(&self, nth: usize) -> usize {
-        self.at_node(nth + MOST - self.leaves)
-    }
-
-    /// The nth of all.
-    #[inline(always)]
-    fn any(&self, nth: usize) -> usize {
-        let back = if nth < self.nodes { 0 } else { MOST - self.leaves - self.nodes };
-        self.at_node(nth + back)
+    fn leave_out(&mut self, nth: usize) {
+        self.count -= 1;
+        self.all[nth % MOST] = self.all[self.count % MOST];
     }
 }
 
-/// Rays on their way.
-struct Fleet<L: Lanes, W> {
+/// What a stream of rays asks.
+trait Questions {
+    fn rays(&self) -> &[Ray];
+
+    /// Answers a ray that is at its end.
+    fn answer<L: Lanes, W>(&mut self, lanes: L, way: &mut Way<W>);
+
+    /// Answers one that does not take part.
+    fn answer_alone(&mut self, number: usize);
+}
+
+/// Rays on their way. Where one has come to its end, the next of the stream begins.
+struct Fleet<'a, L: Lanes, W, Q> {
+    lanes: L,
+    geometry: &'a Geometry,
+    questions: Q,
+    /// How many of the stream have set out.
+    begun: usize,
     ways: [MaybeUninit<Way<W>>; MOST],
-    list: List,
-    /// Who may have met something, and what.
-    close: [u8; MOST],
     found: [MaybeUninit<Found<L>>; MOST],
-    /// A bit for each ray that takes part: others are to be asked alone.
-    part: u64,
-    /// A bit for each that met something, where anything will do.
-    met: u64,
 }
 
-impl<L: Lanes, W: Waits<L>> Fleet<L, W> {
-    /// Up to [`MOST`] rays go all their ways; with `ANY` until they meet anything.
+impl<'a, L: Lanes, W: Waits<L>, Q: Questions> Fleet<'a, L, W, Q> {
+    /// All rays go all their ways; with `ANY` until they meet something.
     #[inline(always)]
-    fn go<const ANY: bool>(&mut self, lanes: L, geometry: &Geometry, rays: &[Ray]) {
-        self.set_out::<ANY>(lanes, geometry, rays);
-        while self.list.nodes + self.list.leaves != 0 {
-            for nth in 0..self.list.nodes {
-                let number = self.list.at_node(nth);
-                self.way(number).open(lanes, &geometry.tree);
+    fn go<const ANY: bool>(&mut self) {
+        let [mut active, mut nodes, mut leaves] = [List::EMPTY, List::EMPTY, List::EMPTY];
+        for place in 0..MOST {
+            let begun = self.begin::<ANY>(place);
+            active.push(place, begun);
+            nodes.push(place, begun);
+        }
+        let Self { lanes, geometry: Geometry { tree, .. }, .. } = *self;
+        while active.count != 0 {
+            for nth in 0..nodes.count {
+                self.way(nodes.get(nth)).open(lanes, tree);
             }
-            self.meet::<ANY>(lanes, geometry);
-            let before = std::mem::replace(&mut self.list, List::EMPTY);
-            for nth in 0..before.nodes + before.leaves {
-                let number = before.any(nth);
-                let way = self.way(number);
-                way.go_on(lanes, &geometry.tree);
-                let next = way.next;
-                self.list.push(number, next);
+            self.meet::<ANY>(&leaves);
+            (nodes.count, leaves.count) = (0, 0);
+            let mut ended = List::EMPTY;
+            for nth in 0..active.count {
+                let place = active.get(nth);
+                let next = self.way(place).go_on(lanes, tree);
+                nodes.push(place, next.is_node());
+                leaves.push(place, next.is_leaf());
+                ended.push(nth, next == Child::NONE);
+            }
+            // The last first, so that whatever takes the place of one goes on.
+            for nth in (0..ended.count).rev() {
+                let nth = ended.get(nth);
+                let place = active.get(nth);
+                self.answer(place);
+                if self.begin::<ANY>(place) {
+                    nodes.push(place, true);
+                } else {
+                    active.leave_out(nth);
+                }
             }
         }
     }
 
-    /// Rays as great as squares may be no numbers don't take part, nor what is no ray.
+    /// Takes the next ray of the stream that takes part into a place, if there is one. Rays so great
+    /// that squares may be no numbers don't, nor what is no ray, nor what meets a plane where that will
+    /// do.
     #[inline(always)]
-    fn set_out<const ANY: bool>(&mut self, lanes: L, geometry: &Geometry, rays: &[Ray]) {
-        for (number, (ray, place)) in rays.iter().zip(&mut self.ways).enumerate() {
-            let Some(probe) = Probe::new(lanes, ray, geometry.tree.moderate) else { continue };
-            if probe.extreme {
-                continue;
+    fn begin<const ANY: bool>(&mut self, place: usize) -> bool {
+        while let Some(ray) = self.questions.rays().get(self.begun) {
+            let number = self.begun;
+            self.begun += 1;
+            if let Some(probe) = Probe::new(self.lanes, ray, self.geometry.tree.moderate) {
+                let mut best = Best::before(ray.t_max);
+                self.geometry.meet_planes(&probe, &mut best);
+                if !(probe.extreme || ANY && best.primitive.is_some()) {
+                    let place = &mut self.ways[place % MOST];
+                    Way::begin(self.lanes, place, number, (probe, best));
+                    return true;
+                }
             }
-            let mut best = Best::before(ray.t_max);
-            geometry.meet_planes(&probe, &mut best);
-            let met = ANY && best.primitive.is_some();
-            self.part |= 1 << number;
-            self.met |= u64::from(met) << number;
-            let way = Way::begin(lanes, place, (probe, best));
-            if !(met || geometry.tree.nodes.is_empty()) {
-                self.list.push(number, way.next);
-            }
+            self.questions.answer_alone(number);
         }
+        false
+    }
+
+    /// Answers the ray of a place.
+    #[inline(always)]
+    fn answer(&mut self, place: usize) {
+        // SAFETY: as in `way`.
+        let way = unsafe { self.ways[place % MOST].assume_init_mut() };
+        self.questions.answer(self.lanes, way);
     }
 
     /// Meets what is in the leaves.
     #[inline(always)]
-    fn meet<const ANY: bool>(&mut self, lanes: L, geometry: &Geometry) {
-        let mut close = 0;
-        for nth in 0..self.list.leaves {
-            let number = self.list.at_leaf(nth);
-            let way = self.way(number);
+    fn meet<const ANY: bool>(&mut self, leaves: &List) {
+        let Self { lanes, geometry, .. } = *self;
+        let mut close = List::EMPTY;
+        for nth in 0..leaves.count {
+            let place = leaves.get(nth);
+            let way = self.way(place);
             let span = way.span;
             match way.next.below() {
                 Below::Block(block) => {
                     let found = way.asked::<ANY>(geometry).look(lanes, block, span);
-                    self.close[close % MOST] = number as u8;
-                    close += usize::from(found.any());
-                    self.found[number].write(found);
+                    close.push(place, found.any());
+                    self.found[place].write(found);
                 }
                 Below::Round(primitive) => {
-                    let met = way.asked::<ANY>(geometry).round(lanes, primitive);
-                    self.tell(number, met);
+                    if way.asked::<ANY>(geometry).round(lanes, primitive) {
+                        way.end();
+                    }
                 }
                 Below::Node(_) => {}
             }
         }
-        for nth in 0..close {
-            let number = usize::from(self.close[nth % MOST]) % MOST;
+        for nth in 0..close.count {
+            let place = close.get(nth);
             // SAFETY: it has just been written for all that are close.
-            let found = unsafe { self.found[number].assume_init_read() };
-            let way = self.way(number);
+            let found = unsafe { self.found[place].assume_init_read() };
+            let way = self.way(place);
             let block = way.next.number();
-            let met = way.asked::<ANY>(geometry).offer(lanes, block, &found);
-            way.forget(lanes);
-            self.tell(number, met);
+            if way.asked::<ANY>(geometry).offer(lanes, block, &found) {
+                way.end();
+            } else {
+                way.forget(lanes);
+            }
         }
     }
 
-    /// Whether anything will do and was met.
+    /// A ray on its way.
     #[inline(always)]
-    fn tell(&mut self, number: usize, met: bool) {
-        self.met |= u64::from(met) << number;
-        if met {
-            self.way(number).end();
-        }
-    }
-
-    /// A ray that takes part.
-    #[inline(always)]
-    fn way(&mut self, number: usize) -> &mut Way<W> {
-        // SAFETY: those that take part are asked for alone, and have been written.
-        unsafe { self.ways[number % MOST].assume_init_mut() }
+    fn way(&mut self, place: usize) -> &mut Way<W> {
+        // SAFETY: only places are asked for where a ray has begun.
+        unsafe { self.ways[place % MOST].assume_init_mut() }
     }
 }
 
-impl<L: Lanes, W> Fleet<L, W> {
-    /// Without rays.
-    const EMPTY: Self = Self {
-        ways: [const { MaybeUninit::uninit() }; MOST],
-        list: List::EMPTY,
-        close: [0; MOST],
-        found: [const { MaybeUninit::uninit() }; MOST],
-        part: 0,
-        met: 0,
-    };
+impl<'a, L: Lanes, W, Q> Fleet<'a, L, W, Q> {
+    #[inline(always)]
+    fn new(lanes: L, geometry: &'a Geometry, questions: Q) -> Self {
+        let ways = [const { MaybeUninit::uninit() }; MOST];
+        let found = [const { MaybeUninit::uninit() }; MOST];
+        Self { lanes, geometry, questions, begun: 0, ways, found }
+    }
 }
 
-/// [`Geometry::meet`] of up to [`MOST`] rays, but for instances. A bit for each that was asked.
+/// [`Geometry::meet`] of many rays, but for instances.
 pub(super) struct MeetFleet<'a> {
     pub geometry: &'a Geometry,
     pub rays: &'a [Ray],
@@ -188,39 +205,61 @@ pub(super) struct MeetFleet<'a> {
 }
 
 impl Task for MeetFleet<'_> {
-    type Answer = u64;
+    type Answer = ();
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> u64 {
-        let Self { geometry, rays, met } = self;
-        let mut fleet = Fleet::<L, Nearest<L>>::EMPTY;
-        fleet.go::<false>(lanes, geometry, rays);
-        for (number, met) in met.iter_mut().enumerate() {
-            *met = None;
-            if fleet.part & 1 << number != 0 {
-                let way = fleet.way(number);
-                way.best.settle(lanes, &geometry.tree.blocks, &way.probe);
-                *met = way.best.meeting();
-            }
-        }
-        fleet.part
+    fn run<L: Lanes>(self, lanes: L) {
+        Fleet::<L, Nearest<L>, _>::new(lanes, self.geometry, self).go::<false>();
     }
 }
 
-/// [`Geometry::occluded`] of up to [`MOST`] rays, but for instances. A bit for each that was asked,
-/// and for each that is.
+impl Questions for MeetFleet<'_> {
+    #[inline(always)]
+    fn rays(&self) -> &[Ray] {
+        self.rays
+    }
+
+    #[inline(always)]
+    fn answer<L: Lanes, W>(&mut self, lanes: L, way: &mut Way<W>) {
+        way.best.settle(lanes, &self.geometry.tree.blocks, &way.probe);
+        self.met[way.number] = way.best.meeting();
+    }
+
+    fn answer_alone(&mut self, number: usize) {
+        let Geometry { tree, .. } = self.geometry;
+        self.met[number] = tree.walker.meet(self.geometry, &self.rays[number]);
+    }
+}
+
+/// [`Geometry::occluded`] of many rays, but for instances.
 pub(super) struct OccludedFleet<'a> {
     pub geometry: &'a Geometry,
     pub rays: &'a [Ray],
+    pub occluded: &'a mut [bool],
 }
 
 impl Task for OccludedFleet<'_> {
-    type Answer = [u64; 2];
+    type Answer = ();
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> [u64; 2] {
-        let mut fleet = Fleet::<L, Largest>::EMPTY;
-        fleet.go::<true>(lanes, self.geometry, self.rays);
-        [fleet.part, fleet.met]
+    fn run<L: Lanes>(self, lanes: L) {
+        Fleet::<L, Largest, _>::new(lanes, self.geometry, self).go::<true>();
+    }
+}
+
+impl Questions for OccludedFleet<'_> {
+    #[inline(always)]
+    fn rays(&self) -> &[Ray] {
+        self.rays
+    }
+
+    #[inline(always)]
+    fn answer<L: Lanes, W>(&mut self, _: L, way: &mut Way<W>) {
+        self.occluded[way.number] = way.met;
+    }
+
+    fn answer_alone(&mut self, number: usize) {
+        let Geometry { tree, .. } = self.geometry;
+        self.occluded[number] = tree.walker.occluded(self.geometry, &self.rays[number]);
     }
 }

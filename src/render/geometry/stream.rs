@@ -22,22 +22,16 @@ impl Geometry {
             let geometry = self;
             return self.apart(MeetAll { geometry, few, rays, met });
         }
-        for (rays, met) in rays.chunks(fleet::MOST).zip(met.chunks_mut(fleet::MOST)) {
-            self.meet_fleet(rays, met);
-        }
-    }
-
-    fn meet_fleet(&self, rays: &[Ray], met: &mut [Option<Meeting>]) {
-        let walker = self.tree.walker;
-        let asked = match rays.len() {
-            ..fleet::LEAST => 0,
-            _ => walker.apart(MeetFleet { geometry: self, rays, met }),
-        };
-        let all = rays.iter().zip(met).enumerate();
-        for (number, (ray, met)) in all {
-            if asked & 1 << number == 0 {
+        if rays.len() < fleet::LEAST || self.tree.nodes.is_empty() {
+            for (ray, met) in rays.iter().zip(met) {
                 *met = self.meet(ray);
-            } else if !self.crowd.is_empty() {
+            }
+            return;
+        }
+        let walker = self.tree.walker;
+        walker.apart(MeetFleet { geometry: self, rays, met });
+        if !self.crowd.is_empty() {
+            for (ray, met) in rays.iter().zip(met) {
                 *met = walker.meet_crowd(self, ray, *met);
             }
         }
@@ -59,24 +53,17 @@ impl Geometry {
             let geometry = self;
             return self.apart(OccludedAll { geometry, few, rays, occluded });
         }
-        for (rays, occluded) in rays.chunks(fleet::MOST).zip(occluded.chunks_mut(fleet::MOST)) {
-            self.occluded_fleet(rays, occluded);
-        }
-    }
-
-    fn occluded_fleet(&self, rays: &[Ray], occluded: &mut [bool]) {
-        let walker = self.tree.walker;
-        let [asked, met] = match rays.len() {
-            ..fleet::LEAST => [0; 2],
-            _ => walker.apart(OccludedFleet { geometry: self, rays }),
-        };
-        let all = rays.iter().zip(occluded).enumerate();
-        for (number, (ray, occluded)) in all {
-            *occluded = met & 1 << number != 0;
-            if asked & 1 << number == 0 {
+        if rays.len() < fleet::LEAST || self.tree.nodes.is_empty() {
+            for (ray, occluded) in rays.iter().zip(occluded) {
                 *occluded = self.occluded(ray);
-            } else if !(*occluded || self.crowd.is_empty()) {
-                *occluded = walker.occluded_by_crowd(self, ray);
+            }
+            return;
+        }
+        let walker = self.tree.walker;
+        walker.apart(OccludedFleet { geometry: self, rays, occluded });
+        if !self.crowd.is_empty() {
+            for (ray, occluded) in rays.iter().zip(occluded) {
+                *occluded = *occluded || walker.occluded_by_crowd(self, ray);
             }
         }
     }

@@ -5,7 +5,7 @@ use std::mem::MaybeUninit;
 
 use super::Geometry;
 use super::best::Best;
-use super::lanes::{LANES, Lanes, NONE_LEFT, sixteen};
+use super::lanes::{LANES, Lanes, NONE_LEFT, Portable, sixteen};
 use super::leaf::Asked;
 use super::node::{Child, Node};
 use super::ray::Probe;
@@ -81,16 +81,22 @@ impl<L: Lanes> Waits<L> for Largest {
     }
 }
 
-/// Room for the nodes above a ray. With it a way is an odd number of cache lines, so that those of
-/// many rays don't push each other out.
+/// Room for the nodes above a ray.
 const ROOM: usize = 32;
 const _: () = assert!(DEEPEST < ROOM);
+/// Odd numbers of cache lines: the same parts of many ways don't push each other out.
+const _: () = assert!(size_of::<Way<Nearest<Portable>>>() / 64 % 2 == 1);
+const _: () = assert!(size_of::<Way<Largest>>() / 64 % 2 == 1);
 
 /// A ray on its way.
 #[repr(align(64))]
 pub(super) struct Way<W> {
     pub probe: Probe,
     pub best: Best,
+    /// Which of its stream it is.
+    pub number: usize,
+    /// Whether it met something, where anything will do.
+    pub met: bool,
     /// Where it comes to next, and the span of that box.
     pub next: Child,
     pub span: f32,
@@ -108,9 +114,9 @@ impl<W: Copy> Way<W> {
     pub fn begin<L: Lanes>(
         lanes: L,
         place: &mut MaybeUninit<Self>,
+        number: usize,
         (probe, best): (Probe, Best),
-    ) -> &mut Self
-    where
+    ) where
         W: Waits<L>,
     {
         let way = place.as_mut_ptr();
@@ -118,12 +124,13 @@ impl<W: Copy> Way<W> {
         unsafe {
             (&raw mut (*way).probe).write(probe);
             (&raw mut (*way).best).write(best);
+            (&raw mut (*way).number).write(number);
+            (&raw mut (*way).met).write(false);
             (&raw mut (*way).next).write(Child::ROOT);
             (&raw mut (*way).span).write(0.0);
             (&raw mut (*way).waiting).write(0);
             (*way).above[0].write(0);
             (*way).waits[0].write(W::all(lanes));
-            &mut *way
         }
     }
 
@@ -168,15 +175,16 @@ impl<W: Copy> Way<W> {
         }
     }
 
-    /// Nothing waits any more.
+    /// It met something, and anything will do.
     #[inline(always)]
     pub fn end(&mut self) {
         self.waiting = 0;
+        self.met = true;
     }
 
     /// Goes on to the next child that waits, [`Child::NONE`] if none does, and asks memory for it.
     #[inline(always)]
-    pub fn go_on<L: Lanes>(&mut self, lanes: L, tree: &Tree)
+    pub fn go_on<L: Lanes>(&mut self, lanes: L, tree: &Tree) -> Child
     where
         W: Waits<L>,
     {
@@ -197,5 +205,6 @@ impl<W: Copy> Way<W> {
         self.span = node.spans[lane];
         self.waiting -= usize::from(!waits.any(lanes));
         fetch(lanes, &tree.nodes, &tree.blocks, self.next);
+        self.next
     }
 }

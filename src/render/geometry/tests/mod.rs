@@ -2,6 +2,7 @@
 
 mod agreement;
 mod extremes;
+mod fleets;
 mod instances;
 mod leaving;
 pub(super) mod meshes;
