@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::choice::Gives;
 use super::{Arrival, Point};
 use crate::math::Rgb;
 
@@ -18,5 +19,10 @@ impl Directional {
     pub(super) fn arrive(&self, at: &Point) -> Arrival {
         let shadow = at.ray(self.to_light);
         Arrival { wi: self.to_light, irradiance: self.irradiance, pdf_w: 0.0, shadow }
+    }
+
+    /// About the irradiance it gives.
+    pub(super) fn gives(&self) -> Gives {
+        Gives::from(self.to_light, f64::from(self.irradiance.luminance()), 0.0)
     }
 }

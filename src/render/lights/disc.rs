@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 
 use glam::{Vec2, Vec3};
 
+use super::choice::Gives;
 use crate::math::{Rgb, random, warp};
 
 /// A disc in the sky.
@@ -40,9 +41,10 @@ impl Disc {
         }
     }
 
-    /// About the irradiance it gives a surface square to its centre, in light units.
-    pub(super) fn irradiance(&self) -> f64 {
-        f64::from(self.radiance.luminance() / self.pdf_w)
+    /// About the irradiance it gives.
+    pub(super) fn gives(&self) -> Gives {
+        let irradiance = f64::from(self.radiance.luminance() / self.pdf_w);
+        Gives::from(self.towards, irradiance, f64::from(self.half_angle.sin()))
     }
 
     /// Radiance from a direction.

@@ -10,6 +10,7 @@ mod directional;
 mod disc;
 mod flat;
 mod lamp;
+mod loops;
 mod patch;
 mod point;
 mod rectangle;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 
+use super::choice::Gives;
 use super::{Arrival, Disc, Site, Sky};
 use crate::math::{Rgb, random, warp};
 
@@ -36,13 +37,12 @@ impl Sight {
 }
 
 impl Surroundings {
-    /// About the irradiance that it gives a surface which faces it, in light units.
-    pub(super) fn irradiance(&self) -> f64 {
+    /// About the irradiance that it gives.
+    pub(super) fn gives(&self) -> Gives {
         match &self.sight {
-            Sight::Constant(radiance) => f64::from(PI * radiance.luminance()),
-            Sight::Disc(disc) => disc.irradiance(),
-            // Of light from all sides a surface gets a quarter.
-            Sight::Sky(sky) => 0.25 * f64::from(sky.total()),
+            Sight::Constant(radiance) => Gives::evenly(f64::from(PI * radiance.luminance())),
+            Sight::Disc(disc) => disc.gives(),
+            Sight::Sky(sky) => sky.gives(),
         }
     }
 

@@ -1,13 +1,16 @@
 //! Lights asked by many sites at once, of which each gets what it would get alone.
 
+use std::ops::Range;
+
 use glam::Vec3;
 
-use super::lamp::Lamp;
-use super::rectangle::Rectangle;
-use super::{Arrival, Light, Lights, Point, Ray, Site};
+use super::choice::Choices;
+use super::loops;
+use super::sky::{Search, from_sky};
+use super::{Arrival, Light, Lights, Point, Ray, Sight, Site, Surroundings};
 use crate::math::Rgb;
 use crate::render::geometry::{Geometry, Sheet};
-use crate::render::lanes::{LANES, Row, Rows, by_processor, get, padded, put};
+use crate::render::lanes::{LANES, Row, Rows, get, put};
 use crate::render::samplers::Fours;
 
 /// Points that ask for light.
@@ -22,17 +25,37 @@ pub struct Sites {
 
 /// Light that arrives at them if nothing is in its way, each from one light: as [`Arrival`]s; black
 /// where none does.
+#[derive(Default)]
 pub struct Arrivals {
-    wi: Rows,
-    irradiance: Rows,
-    pdf_w: Row,
+    found: Found,
+    /// Which light, and by which chance.
+    choices: Choices,
+    part: Box<Part>,
+}
+
+/// Those that ask one light, side by side.
+#[derive(Default)]
+struct Part {
+    lanes: Vec<usize>,
+    sites: Sites,
+    numbers: Numbers,
+    found: Found,
+}
+
+/// Numbers that choose a point of a light.
+struct Numbers([Row<f64>; 2]);
+
+/// Light that was found: the fields of [`Arrival`].
+pub(super) struct Found {
+    pub wi: Rows,
+    pub irradiance: Rows,
+    pub pdf_w: Row,
     origin: Rows,
     direction: Rows,
     t_max: Row,
     leaves: Row<Sheet>,
     reaches: Row<Sheet>,
-    /// The probability of the light.
-    pmf: Row,
+    pub search: Search,
 }
 
 impl Default for Sites {
@@ -49,7 +72,13 @@ impl Default for Sites {
     }
 }
 
-impl Default for Arrivals {
+impl Default for Numbers {
+    fn default() -> Self {
+        Self([[0.0; LANES]; 2])
+    }
+}
+
+impl Default for Found {
     fn default() -> Self {
         let (row, rows) = ([0.0; LANES], [[0.0; LANES]; 3]);
         Self {
@@ -61,7 +90,7 @@ impl Default for Arrivals {
             t_max: row,
             leaves: [Sheet::NONE; LANES],
             reaches: [Sheet::NONE; LANES],
-            pmf: row,
+            search: Search::default(),
         }
     }
 }
@@ -83,19 +112,24 @@ impl Sites {
         self.count += 1;
     }
 
+    /// The lanes they are in.
+    pub(super) fn lanes(&self) -> Range<usize> {
+        0..self.count
+    }
+
     /// Their normals, as sites have them.
     pub fn normals(&self) -> &Rows {
         &self.normal
     }
 
     #[inline(always)]
-    fn point(&self, lane: usize) -> Point {
+    pub(super) fn point(&self, lane: usize) -> Point {
         let (position, error) = (get(&self.position, lane), get(&self.error, lane));
         Point { position, error, ng: get(&self.ng, lane), sheet: self.sheet[lane] }
     }
 
     #[inline(always)]
-    fn at(&self, lane: usize) -> Site {
+    pub(super) fn at(&self, lane: usize) -> Site {
         Site { point: self.point(lane), normal: get(&self.normal, lane) }
     }
 }
@@ -104,25 +138,57 @@ impl Arrivals {
     /// Where light comes from to the site of a lane: unit length.
     #[inline(always)]
     pub fn wi(&self, lane: usize) -> Vec3 {
-        get(&self.wi, lane)
+        get(&self.found.wi, lane)
     }
 
     /// The irradiance; black: nothing arrives.
     #[inline(always)]
     pub fn irradiance(&self, lane: usize) -> Rgb {
-        let [r, g, b] = get(&self.irradiance, lane).to_array();
+        let [r, g, b] = get(&self.found.irradiance, lane).to_array();
         Rgb::new(r, g, b)
     }
 
     /// The density of its direction, and the probability of its light.
     #[inline(always)]
     pub fn density(&self, lane: usize) -> (f32, f32) {
-        (self.pdf_w[lane], self.pmf[lane])
+        (self.found.pdf_w[lane], self.choices.pmf[lane])
     }
 
     /// The ray that meets what is in the way.
     #[inline(always)]
     pub fn shadow(&self, lane: usize) -> Ray {
+        self.found.shadow(lane)
+    }
+}
+
+impl Found {
+    #[inline(always)]
+    pub fn put(&mut self, lane: usize, arrival: &Arrival) {
+        put(&mut self.wi, lane, arrival.wi);
+        put(&mut self.irradiance, lane, Vec3::from_array(arrival.irradiance.to_array()));
+        self.pdf_w[lane] = arrival.pdf_w;
+        self.put_shadow(lane, &arrival.shadow);
+    }
+
+    #[inline(always)]
+    pub fn put_shadow(&mut self, lane: usize, shadow: &Ray) {
+        put(&mut self.origin, lane, shadow.origin);
+        put(&mut self.direction, lane, shadow.direction);
+        self.t_max[lane] = shadow.t_max;
+        self.leaves[lane] = shadow.leaves;
+        self.reaches[lane] = shadow.reaches;
+    }
+
+    #[inline(always)]
+    fn put_or_black(&mut self, lane: usize, arrival: Option<&Arrival>) {
+        match arrival {
+            Some(arrival) => self.put(lane, arrival),
+            None => put(&mut self.irradiance, lane, Vec3::ZERO),
+        }
+    }
+
+    #[inline(always)]
+    fn shadow(&self, lane: usize) -> Ray {
         Ray {
             origin: get(&self.origin, lane),
             direction: get(&self.direction, lane),
@@ -133,15 +199,14 @@ impl Arrivals {
     }
 
     #[inline(always)]
-    fn put(&mut self, lane: usize, arrival: &Arrival) {
-        put(&mut self.wi, lane, arrival.wi);
-        put(&mut self.irradiance, lane, Vec3::from_array(arrival.irradiance.to_array()));
-        self.pdf_w[lane] = arrival.pdf_w;
-        put(&mut self.origin, lane, arrival.shadow.origin);
-        put(&mut self.direction, lane, arrival.shadow.direction);
-        self.t_max[lane] = arrival.shadow.t_max;
-        self.leaves[lane] = arrival.shadow.leaves;
-        self.reaches[lane] = arrival.shadow.reaches;
+    fn at(&self, lane: usize) -> Arrival {
+        let [r, g, b] = get(&self.irradiance, lane).to_array();
+        Arrival {
+            wi: get(&self.wi, lane),
+            irradiance: Rgb::new(r, g, b),
+            pdf_w: self.pdf_w[lane],
+            shadow: self.shadow(lane),
+        }
     }
 }
 
@@ -154,50 +219,75 @@ impl Lights {
         fours: &Fours,
         arrivals: &mut Arrivals,
     ) {
-        if let [Light::Lamp(lamp)] = self.all.as_slice()
-            && let Some(rectangle) = lamp.rectangle()
-        {
-            arrivals.pmf = [1.0; LANES];
-            from_rectangle(rectangle, lamp, sites, fours.rows(), arrivals);
+        let Arrivals { found, choices, part } = arrivals;
+        let [u, v, choice, _] = fours.rows();
+        if let [light] = self.all.as_slice() {
+            choices.pmf = [1.0; LANES];
+            light.sample_all(geometry, sites, [u, v], found);
             return;
         }
-        for lane in 0..sites.count {
-            let (site, u) = (sites.at(lane), fours.at(lane));
-            let chosen = self.choose(&site, u[2]);
-            let arrival = chosen.and_then(|(number, pmf)| {
-                arrivals.pmf[lane] = pmf;
-                self.all[number].sample(geometry, &site, [u[0], u[1]])
-            });
-            match arrival {
-                Some(arrival) => arrivals.put(lane, &arrival),
-                None => put(&mut arrivals.irradiance, lane, Vec3::ZERO),
+        self.choice.choose_all(sites, choice, choices);
+        let mut done = [false; LANES];
+        for lane in sites.lanes() {
+            let number = choices.number[lane];
+            if done[lane] {
+                continue;
+            }
+            let Some(light) = self.all.get(number as usize) else {
+                found.put_or_black(lane, None);
+                continue;
+            };
+            if !light.has_loop() {
+                let arrival = light.sample(geometry, &sites.at(lane), [u[lane], v[lane]]);
+                found.put_or_black(lane, arrival.as_ref());
+                continue;
+            }
+            part.lanes.clear();
+            part.lanes.extend((lane..sites.count).filter(|&other| choices.number[other] == number));
+            part.sites.clear();
+            for (nth, &lane) in part.lanes.iter().enumerate() {
+                done[lane] = true;
+                part.sites.push(&sites.at(lane));
+                let Numbers([first, second]) = &mut part.numbers;
+                (first[nth], second[nth]) = (u[lane], v[lane]);
+            }
+            let Numbers([u, v]) = &part.numbers;
+            light.sample_all(geometry, &part.sites, [u, v], &mut part.found);
+            for (nth, &lane) in part.lanes.iter().enumerate() {
+                found.put(lane, &part.found.at(nth));
             }
         }
     }
 }
 
-by_processor! {
-    /// Light of a lamp that is one rectangle.
-    #[inline(never)]
-    fn from_rectangle(
-        rectangle: &Rectangle,
-        lamp: &Lamp,
-        sites: &Sites,
-        u: &[Row<f64>; 4],
-        arrivals: &mut Arrivals,
-    ) {
-        let both = lamp.both();
-        for lane in 0..padded(sites.count) {
-            let from = sites.point(lane);
-            let u = [u[0][lane], u[1][lane]];
-            let (sampled, is_seen) = rectangle.see((&from, both), u);
-            let arrival = lamp.arrival(&from, &sampled, 1.0);
-            let irradiance = Rgb::new(
-                if is_seen { arrival.irradiance.r } else { 0.0 },
-                if is_seen { arrival.irradiance.g } else { 0.0 },
-                if is_seen { arrival.irradiance.b } else { 0.0 },
-            );
-            arrivals.put(lane, &Arrival { irradiance, ..arrival });
+impl Light {
+    /// Whether many sites ask it in a loop of vectors.
+    fn has_loop(&self) -> bool {
+        match self {
+            Self::Directional(_) => true,
+            Self::Lamp(lamp) => lamp.rectangle().is_some(),
+            Self::Surroundings(around) => matches!(around.sight, Sight::Sky(_)),
+            Self::Point(_) | Self::Spot(_) => false,
+        }
+    }
+
+    /// [`Light::sample`] of many sites.
+    fn sample_all(&self, geometry: &Geometry, sites: &Sites, u: [&Row<f64>; 2], found: &mut Found) {
+        match self {
+            Self::Directional(directional) => loops::from_direction(directional, sites, found),
+            Self::Lamp(lamp) if let Some(rectangle) = lamp.rectangle() => {
+                loops::from_rectangle(rectangle, lamp, sites, u, found);
+            }
+            Self::Surroundings(Surroundings { sight: Sight::Sky(sky), .. }) => {
+                from_sky(sky, sites, u, found);
+            }
+            _ => {
+                for lane in sites.lanes() {
+                    let u = [u[0][lane], u[1][lane]];
+                    let arrival = self.sample(geometry, &sites.at(lane), u);
+                    found.put_or_black(lane, arrival.as_ref());
+                }
+            }
         }
     }
 }
