@@ -224,7 +224,7 @@ fn traced_paths_add_up_to_the_pixel() {
 
 #[test]
 fn each_traced_path_ends_at_its_own_light() {
-    let lights = at(scene::LightCount::All);
+    let lights = at(Some(scene::LightCount::All));
     let prepared = Hand::new(Integrator::Path(scene::Path { lights, ..path() }))
         .material("floor", 0.7, 0.0)
         .quad(DVec3::ZERO, DVec3::X * 3.0, DVec3::Y * 3.0, "floor")

@@ -78,7 +78,7 @@ fn sobol(mut hand: Hand, round: u64) -> Hand {
 fn scenes() -> Vec<(&'static str, Hand)> {
     let plain = || tracer(|_| ());
     let all = tracer(|it| {
-        it.lights = at(LightCount::All);
+        it.lights = at(Some(LightCount::All));
         it.light_samples = at(scene::Count(2));
     });
     let several = tracer(|it| it.splits = at(splits(2, 1, 3)));

@@ -4,7 +4,7 @@ use super::errors::scene as errors;
 use crate::diag::Diagnostic;
 use crate::plan::{Feature, Plan};
 use crate::render::integrators::{
-    Ambient, AreaLights, Direct, Integrator, Lighting, Path, Preview, Roulette, Splits,
+    Ambient, AreaLights, Asked, Direct, Integrator, Lighting, Path, Preview, Roulette, Splits,
 };
 use crate::render::samplers::Sampler;
 use crate::scene::{self, At, Count, Depth, LightCount};
@@ -12,11 +12,12 @@ use crate::scene::{self, At, Count, Depth, LightCount};
 /// How light is followed, by the plan of a stage with that integrator; `scale` in world units a
 /// metre.
 pub(super) fn prepare(integrator: &scene::Integrator, plan: &Plan, scale: f64) -> Integrator {
-    let lighting = |lights: &At<LightCount>, points: &At<Count>| {
+    let lighting = |lights: Option<LightCount>, points: &At<Count>| {
         plan.builds(Feature::Lights).then(|| Lighting {
-            chosen: match lights.value {
-                LightCount::All => None,
-                LightCount::Chosen(count) => Some(count as u32),
+            lights: match lights {
+                Some(LightCount::All) => Asked::All,
+                Some(LightCount::Chosen(count)) => Asked::Chosen(count as u32),
+                None => Asked::AllOfFew,
             },
             points: points.0 as u32,
             shadows: plan.builds(Feature::ShadowRays),
@@ -29,7 +30,7 @@ pub(super) fn prepare(integrator: &scene::Integrator, plan: &Plan, scale: f64) -
     };
     match integrator {
         scene::Integrator::Ambient(ambient) => Integrator::Direct(Direct {
-            lighting: lighting(&ambient.lights, &ambient.light_samples),
+            lighting: lighting(Some(ambient.lights.value), &ambient.light_samples),
             ambient: Some(Ambient {
                 rays: ambient.rays.0 as u32,
                 distance: ambient
@@ -42,14 +43,14 @@ pub(super) fn prepare(integrator: &scene::Integrator, plan: &Plan, scale: f64) -
             roulette: roulette(&ambient.roulette),
         }),
         scene::Integrator::Direct(direct) => Integrator::Direct(Direct {
-            lighting: lighting(&direct.lights, &direct.light_samples),
+            lighting: lighting(Some(direct.lights.value), &direct.light_samples),
             ambient: None,
             specular_depth: depth(&direct.specular_depth),
             splits: direct.splits.specular.0 as u32,
             roulette: roulette(&direct.roulette),
         }),
         scene::Integrator::Path(path) => Integrator::Path(Path {
-            lighting: lighting(&path.lights, &path.light_samples),
+            lighting: lighting(path.lights.value, &path.light_samples),
             mis: path.mis.0,
             splits: Splits {
                 specular: path.splits.specular.0 as u32,

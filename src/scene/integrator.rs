@@ -64,8 +64,9 @@ vocabulary! {
             /// Whether both ways to find a lamp are weighed against each other (multiple
             /// importance sampling); if not, lights that are asked count by that alone.
             mis: Switch = "on";
-            /// How many lights are asked at each point: all, or so many, chosen by importance.
-            lights: LightCount = "1", Range::between(1.0, 65_536.0);
+            /// How many lights are asked at each point: all, or so many, chosen by importance. Left
+            /// out: both of two; of more, one.
+            lights: Option<LightCount>, Range::between(1.0, 65_536.0);
             /// Points of each of these lights.
             light_samples: Count = "1", Range::between(1.0, 65_536.0);
             /// Where a path goes on as several.

@@ -62,7 +62,7 @@ pub fn path() -> scene::Path {
     scene::Path {
         next_event: at(scene::Switch(true)),
         mis: at(scene::Switch(true)),
-        lights: at(scene::LightCount::Chosen(1)),
+        lights: at(None),
         light_samples: at(scene::Count(1)),
         splits: at(splits(0, 0, 1)),
         roulette: at(scene::Roulette::Throughput),

@@ -14,12 +14,12 @@ type Change<T> = (&'static str, &'static str, fn(&mut T));
 const PATH: [Change<scene::Path>; 21] = [
     ("mis", "off", |it| it.mis.value.0 = false),
     ("next_event", "off", |it| it.next_event.value.0 = false),
-    ("lights", "2", |it| it.lights = at(LightCount::Chosen(2))),
-    ("lights", "7", |it| it.lights = at(LightCount::Chosen(7))),
-    ("lights", "all", |it| it.lights = at(LightCount::All)),
+    ("lights", "2", |it| it.lights = at(Some(LightCount::Chosen(2)))),
+    ("lights", "7", |it| it.lights = at(Some(LightCount::Chosen(7)))),
+    ("lights", "all", |it| it.lights = at(Some(LightCount::All))),
     ("light_samples", "3", |it| it.light_samples = at(scene::Count(3))),
     ("lights", "all, 3 points", |it| {
-        it.lights = at(LightCount::All);
+        it.lights = at(Some(LightCount::All));
         it.light_samples = at(scene::Count(3));
     }),
     ("roulette", "mean", |it| it.roulette = at(Roulette::Mean)),
@@ -45,7 +45,7 @@ const PATH: [Change<scene::Path>; 21] = [
     ("splits", "specular: 3, diffuse: 2, rays: 3", |it| it.splits = at(splits(3, 2, 3))),
     ("splits", "diffuse: 1, rays: 4, lights: 2, mis: off", |it| {
         it.splits = at(splits(0, 1, 4));
-        it.lights = at(LightCount::Chosen(2));
+        it.lights = at(Some(LightCount::Chosen(2)));
         it.mis.value.0 = false;
     }),
     ("splits", "specular: 2, next_event: off", |it| {

@@ -15,7 +15,7 @@ mod wave;
 
 pub use carrier::{Carrier, GiveUp};
 pub use direct::{Ambient, Direct};
-pub use lighting::{AreaLights, Lighting};
+pub use lighting::{AreaLights, Asked, Lighting};
 pub use path::{Path, Splits};
 pub use preview::Preview;
 pub use roulette::Roulette;

@@ -73,31 +73,34 @@ impl Path {
         let world = wave.world;
         let Flight { branches, hits, surfaces, sites, trails, arrivals, lit, questions, .. } =
             flight;
-        let together = lighting.is_plain();
         trails.clear();
-        wave.fours.clear();
         for Surface { lane, place, bsdf, .. } in &*surfaces {
             let carrier = &mut wave.carriers[*lane];
             let scatters = bsdf.scatters().zip(hits[*place].as_ref());
             let trail =
                 scatters.map(|(event, hit)| carrier.after(branches[*lane].trail, event, hit));
-            let trail = trail.filter(|trail| !carrier.is_hidden(*trail));
-            trails.push(trail);
-            match trail {
-                Some(_) if together => wave.fours.push(&mut wave.streams[*lane]),
-                _ => wave.fours.skip(),
-            }
+            trails.push(trail.filter(|trail| !carrier.is_hidden(*trail)));
         }
-        if together {
-            wave.fours.draw();
-            world.lights.sample_all(&world.geometry, sites, &wave.fours, arrivals);
-        }
-        if together {
-            for (nth, light) in lit.find(surfaces.len(), (self, lighting), arrivals) {
-                if let Some(trail) = trails[nth] {
-                    let answer = (world, lighting.shadows, &mut *wave.carriers);
-                    let lane = surfaces[nth].lane;
-                    questions.ask(answer, lane, arrivals.shadow(nth), (trail, light));
+        if lighting.is_plain() {
+            for asked in lighting.rounds(world.lights.all.len()) {
+                let takes_numbers = world.lights.takes_numbers(asked);
+                wave.fours.clear();
+                for (surface, trail) in surfaces.iter().zip(&*trails) {
+                    let stream = &mut wave.streams[surface.lane];
+                    match trail {
+                        Some(_) if takes_numbers => wave.fours.push(stream),
+                        Some(_) => wave.fours.pass(stream),
+                        None => wave.fours.skip(),
+                    }
+                }
+                wave.fours.draw();
+                world.lights.sample_all(&world.geometry, (sites, &wave.fours), asked, arrivals);
+                for (nth, light) in lit.find(surfaces.len(), (self, lighting), arrivals) {
+                    if let Some(trail) = trails[nth] {
+                        let answer = (world, lighting.shadows, &mut *wave.carriers);
+                        let lane = surfaces[nth].lane;
+                        questions.ask(answer, lane, arrivals.shadow(nth), (trail, light));
+                    }
                 }
             }
             return questions.answer(world, &mut wave.carriers);

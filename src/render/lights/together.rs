@@ -211,17 +211,25 @@ impl Found {
 }
 
 impl Lights {
-    /// For each site, light from one point of a light, both chosen by its four numbers.
+    /// Whether a light takes numbers; or one that is chosen, by None.
+    pub fn takes_numbers(&self, asked: Option<usize>) -> bool {
+        let light = asked.and_then(|number| self.all.get(number));
+        !matches!(light, Some(Light::Directional(_) | Light::Point(_) | Light::Spot(_)))
+    }
+
+    /// For each site, light from one point of a light, by its four numbers: of the light that is
+    /// asked, or by None of one that they choose.
     pub fn sample_all(
         &self,
         geometry: &Geometry,
-        sites: &Sites,
-        fours: &Fours,
+        (sites, fours): (&Sites, &Fours),
+        asked: Option<usize>,
         arrivals: &mut Arrivals,
     ) {
         let Arrivals { found, choices, part } = arrivals;
         let [u, v, choice, _] = fours.rows();
-        if let [light] = self.all.as_slice() {
+        let only = if self.all.len() == 1 { Some(0) } else { None };
+        if let Some(light) = asked.or(only).and_then(|number| self.all.get(number)) {
             choices.pmf = [1.0; LANES];
             light.sample_all(geometry, sites, [u, v], found);
             return;
@@ -350,7 +358,7 @@ mod tests {
                     fours.push(&mut Sampler::Independent.stream(3, wave, lane));
                 }
                 fours.draw();
-                lights.sample_all(&geometry, &sites, &fours, &mut arrivals);
+                lights.sample_all(&geometry, (&sites, &fours), None, &mut arrivals);
                 for lane in 0..lanes {
                     let (site, u) = (site(100 * wave + lane as u64), fours.at(lane));
                     let alone = lights.choose(&site, u[2]).and_then(|(number, pmf)| {

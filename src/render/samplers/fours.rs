@@ -72,6 +72,12 @@ impl Fours {
         self.count += 1;
     }
 
+    /// A stream leaves its next four out.
+    pub fn pass(&mut self, stream: &mut Stream) {
+        stream.dimension += 1;
+        self.skip();
+    }
+
     /// Finds those of all streams; to be called after the last.
     pub fn draw(&mut self) {
         if self.any {
