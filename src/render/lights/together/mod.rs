@@ -1,5 +1,8 @@
 //! Lights asked by many sites at once, of which each gets what it would get alone.
 
+#[cfg(test)]
+mod tests;
+
 use std::ops::Range;
 
 use glam::Vec3;
@@ -294,85 +297,6 @@ impl Light {
                     let u = [u[0][lane], u[1][lane]];
                     let arrival = self.sample(geometry, &sites.at(lane), u);
                     found.put_or_black(lane, arrival.as_ref());
-                }
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use glam::DVec3;
-
-    use super::super::{Centre, Lamp};
-    use super::*;
-    use crate::math::random;
-    use crate::render::geometry::{Owner, Shapes};
-    use crate::render::samplers::Sampler;
-
-    /// A square lamp of this size over the origin, which faces down.
-    fn lamp(size: f32, both: bool) -> (Geometry, Light) {
-        let mut shapes = Shapes::new();
-        let corner = |x: f32, z: f32| Vec3::new(x, 1.0, z) * Vec3::new(size, 1.0, size);
-        let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
-        let corners = corners.map(|corner| shapes.vertex(corner));
-        let surfaces = shapes.quad(corners, Owner::default()).to_vec();
-        let geometry = Geometry::build(shapes);
-        let centre = Centre::new(DVec3::Y, DVec3::NEG_Y, DVec3::ONE);
-        let lamp = Lamp::new((Rgb::new(1.0, 2.0, 3.0), both), surfaces, &geometry, centre);
-        (geometry, Light::Lamp(Box::new(lamp)))
-    }
-
-    /// On surfaces of all kinds of slopes, some of them in the plane of the lamp.
-    fn site(place: u64) -> Site {
-        let three = |from: u64| {
-            let [x, y] = random::unit_pair(random::at(31, 10 * place + from));
-            let [z, _] = random::unit_pair(random::at(32, 10 * place + from));
-            2.0 * Vec3::new(x as f32, y as f32, z as f32) - 1.0
-        };
-        let (mut position, ng) = (2.0 * three(0), three(1).normalize());
-        if place.is_multiple_of(7) {
-            position.y = 1.0;
-        }
-        let error = 1e-6 * three(2).abs();
-        let point = Point { position, error, ng, ..Point::free(Vec3::ZERO) };
-        Site { point, normal: ng }
-    }
-
-    #[test]
-    fn those_who_ask_together_get_what_each_would_get_alone() {
-        for (size, both, count) in
-            [(0.5, false, 1), (0.01, true, 1), (3.0, false, 1), (0.5, true, 2)]
-        {
-            let (geometry, light) = lamp(size, both);
-            let lights = Lights::new(vec![light; count], Vec::new(), Vec::new());
-            let (mut sites, mut fours) = (Sites::default(), Fours::default());
-            let mut arrivals = Arrivals::default();
-            for wave in 0..40 {
-                // Of every length: what is left over of vectors, too.
-                let lanes = 1 + wave as usize * 13 % LANES;
-                sites.clear();
-                fours.clear();
-                for lane in 0..lanes as u64 {
-                    sites.push(&site(100 * wave + lane));
-                    fours.push(&mut Sampler::Independent.stream(3, wave, lane));
-                }
-                fours.draw();
-                lights.sample_all(&geometry, (&sites, &fours), None, &mut arrivals);
-                for lane in 0..lanes {
-                    let (site, u) = (site(100 * wave + lane as u64), fours.at(lane));
-                    let alone = lights.choose(&site, u[2]).and_then(|(number, pmf)| {
-                        let arrival = lights.all[number].sample(&geometry, &site, [u[0], u[1]])?;
-                        Some((arrival, pmf))
-                    });
-                    let Some((alone, pmf)) = alone else {
-                        assert!(arrivals.irradiance(lane).is_black());
-                        continue;
-                    };
-                    assert_eq!(arrivals.irradiance(lane), alone.irradiance);
-                    assert_eq!(arrivals.wi(lane), alone.wi);
-                    assert_eq!(arrivals.density(lane), (alone.pdf_w, pmf));
-                    assert_eq!(arrivals.shadow(lane), alone.shadow);
                 }
             }
         }
