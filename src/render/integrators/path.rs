@@ -52,16 +52,19 @@ pub(super) fn power(a: f32, b: f32) -> f32 {
 impl Path {
     /// What a ray brings that meets nothing.
     pub(super) fn escaped(&self, world: &World, branch: &Branch, carrier: &mut Carrier) {
+        let direction = branch.ray.direction;
         for light in &world.lights.surroundings {
-            let radiance = light.radiance(branch.ray.direction);
+            let asked = light.asked.map(|number| number as usize);
+            let (radiance, pdf_w) = match branch.pdf_w == 0.0 || asked.is_none() {
+                true => (light.radiance(direction), 0.0),
+                false => light.met(&branch.site, direction),
+            };
             if radiance.is_black() {
                 continue;
             }
-            let asked = light.asked.map(|number| number as usize);
-            let weight =
-                self.weight(world, branch, asked, |site| light.pdf_w(site, branch.ray.direction));
+            let weight = self.weight(world, branch, asked, |_| pdf_w);
             let light = branch.throughput * radiance * weight;
-            carrier.add(branch.trail, light, || Source::Direction(branch.ray.direction));
+            carrier.add(branch.trail, light, || Source::Direction(direction));
         }
     }
 

@@ -55,6 +55,14 @@ impl Surroundings {
         }
     }
 
+    /// The same along a ray from a site, and the density with which `sample` gives its direction.
+    pub fn met(&self, site: &Site, direction: Vec3) -> (Rgb, f32) {
+        match &self.sight {
+            Sight::Sky(sky) => sky.met(site.normal, direction),
+            _ => (self.radiance(direction), self.pdf_w(site, direction)),
+        }
+    }
+
     /// Light from one direction. Of light that is the same everywhere: for a surface by the cosine
     /// to its normal, else uniform; of a sky by its luminance and that cosine; of a disc from
     /// within it.

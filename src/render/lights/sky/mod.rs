@@ -114,12 +114,19 @@ impl Sky {
 
     /// The density in solid angle with which `sample` gives a direction.
     pub(super) fn pdf_w(&self, normal: Vec3, direction: Vec3) -> f32 {
+        self.met(normal, direction).1
+    }
+
+    /// Radiance from a direction of the world, and that density.
+    pub(super) fn met(&self, normal: Vec3, direction: Vec3) -> (Rgb, f32) {
         if self.total <= 0.0 {
-            return 0.0;
+            return (Rgb::BLACK, 0.0);
         }
         let guide = self.guides.of(Guides::facing(self.to_place * normal));
         let local = self.to_place * direction;
-        self.density(normal, (direction, local.z), guide, square_of(local))
+        let square = square_of(local);
+        let density = self.density(normal, (direction, local.z), guide, square);
+        (self.seen(local.z, square), density)
     }
 
     /// The direction that was chosen.
