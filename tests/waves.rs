@@ -10,10 +10,10 @@ use scn::scene::{self, Integrator, LightCount};
 
 use by_hand::{Hand, Patient, Ticking, at, path, render, splits};
 
-/// Columns and rows: with all samples more than a wave has, and no whole number of waves.
+/// Columns and rows: with all samples more than are on their way at once.
 const SIZE: [u64; 2] = [11, 7];
 
-/// Samples of a pixel: waves begin and end within pixels.
+/// Samples of a pixel: some begin where others of it end.
 const SAMPLES: u64 = 5;
 
 fn tracer(change: impl Fn(&mut scene::Path)) -> Integrator {

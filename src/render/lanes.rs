@@ -6,9 +6,9 @@
 
 use glam::Vec3;
 
-/// So many samples are taken together at most. All that is known of them fits a processor's second
-/// memory; and in the late turns, when most paths have ended, there are still enough to fill vectors.
-pub const LANES: usize = 256;
+/// So many samples are on their way together at most. All that is known of them fits a processor's
+/// nearest memory.
+pub const LANES: usize = 128;
 
 /// A number of each sample.
 pub type Row<T = f32> = [T; LANES];
@@ -29,6 +29,37 @@ pub fn put(rows: &mut Rows, lane: usize, value: Vec3) {
     rows[1][lane] = value.y;
     rows[2][lane] = value.z;
 }
+
+/// The lanes of which something is so, and the others, by number.
+pub struct Parted {
+    these: Row<u32>,
+    others: Row<u32>,
+}
+
+impl Default for Parted {
+    fn default() -> Self {
+        Self { these: [0; LANES], others: [0; LANES] }
+    }
+}
+
+impl Parted {
+    /// Both of so many lanes, in their order. Found without jumps: no processor foretells which they
+    /// are.
+    #[inline(always)]
+    pub fn by(&mut self, count: usize, is_so: impl Fn(usize) -> bool) -> [&[u32]; 2] {
+        let count = count.min(LANES);
+        let mut found = 0;
+        for lane in 0..count {
+            self.these[found.min(LAST)] = lane as u32;
+            self.others[(lane - found).min(LAST)] = lane as u32;
+            found += usize::from(is_so(lane));
+        }
+        [&self.these[..found], &self.others[..count - found]]
+    }
+}
+
+/// No place is beyond; said where the compiler would ask.
+const LAST: usize = LANES - 1;
 
 /// How many lanes a loop takes for so many: whole vectors, so that none is left over. What the others
 /// hold is no matter.
@@ -103,3 +134,19 @@ impl Vectors {
 }
 
 pub(super) use by_processor;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lanes_are_parted_in_their_order() {
+        let mut parted = Parted::default();
+        for count in [0, 1, 7, LANES] {
+            let [these, others] = parted.by(count, |lane| lane % 3 == 1);
+            let all: Vec<u32> = (0..count as u32).collect();
+            let (one, two): (Vec<u32>, Vec<u32>) = all.iter().partition(|&lane| lane % 3 == 1);
+            assert_eq!((these, others), (&*one, &*two));
+        }
+    }
+}

@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 use super::World;
 use super::film::{Begun, Taken, Tile};
 use super::integrators::{GiveUp, Wave};
-use super::lanes::LANES;
 use crate::math::Rgb;
 
 /// What a pass is asked to do.
@@ -117,11 +116,11 @@ fn one(
     let mut begun = from.cloned().unwrap_or_else(fresh);
     let mut wave = Wave::new(world, Some(job.cancelled));
     // The samples of a pixel, then those of the next.
-    let mut samples = Vec::with_capacity(LANES);
+    let mut samples = Vec::with_capacity(Wave::MOST);
     for (index, (x, y)) in tile.places().enumerate() {
         for number in job.samples.clone() {
             samples.push(Sample { index, pixel: [x, y], number });
-            if samples.len() == LANES {
+            if samples.len() == Wave::MOST {
                 take(world, job.seed, &samples, (&mut wave, &mut follow), &mut begun)?;
                 samples.clear();
             }

@@ -96,9 +96,9 @@ impl Point {
 }
 
 impl Point {
-    /// [`Self::leave`] coordinate by coordinate, to the same bits.
+    /// [`Self::leave`] coordinate by coordinate, to the same bits: for loops over many points.
     #[inline(always)]
-    fn left(&self, direction: Vec3) -> Vec3 {
+    pub fn left(&self, direction: Vec3) -> Vec3 {
         let (ng, position) = (self.ng, self.position);
         let distance = ng.abs().dot(self.error);
         let side = if direction.dot(ng) < 0.0 { -distance } else { distance };

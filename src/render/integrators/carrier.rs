@@ -79,6 +79,11 @@ pub struct Trail {
     last: u32,
 }
 
+impl Trail {
+    /// From the eye.
+    pub(super) const START: Self = Self { state: Automaton::START, last: Tracing::EYE };
+}
+
 impl<'w> Carrier<'w> {
     /// With nothing found, for a film of this world.
     pub fn new(world: &'w World, give_up: Option<&'w GiveUp<'w>>) -> Self {
@@ -109,7 +114,7 @@ impl<'w> Carrier<'w> {
         if let Some(traced) = &mut self.traced {
             traced.clear();
         }
-        Trail { state: Automaton::START, last: Tracing::EYE }
+        Trail::START
     }
 
     /// A path goes on by one more event, where it has hit a surface.
@@ -241,8 +246,15 @@ impl Branch {
     /// surface.
     #[inline]
     pub fn turn(&mut self, site: &Site, way: &Scattered, rays: u32) {
-        self.ray = site.point.ray(way.wi);
-        self.throughput = self.throughput * way.weight * way.squeeze;
+        let throughput = self.throughput * way.weight * way.squeeze;
+        self.take(site, way, (site.point.ray(way.wi), throughput), rays);
+    }
+
+    /// The same, by a ray and a throughput that are known.
+    #[inline(always)]
+    pub fn take(&mut self, site: &Site, way: &Scattered, (ray, throughput): (Ray, Rgb), rays: u32) {
+        self.ray = ray;
+        self.throughput = throughput;
         self.squeeze *= way.squeeze;
         if way.pdf_w == 0.0 {
             // In one direction alone.

@@ -4,7 +4,7 @@
 
 use super::carrier::{Branch, Carrier, Trail};
 use super::lighting::Lighting;
-use super::roulette::Roulette;
+use super::roulette::{self, Roulette};
 use super::{Ray, Source, Stream, World};
 use crate::math::Rgb;
 use crate::render::geometry::Hit;
@@ -132,7 +132,8 @@ impl Direct {
         let [u, v, lobe, chance] = stream.four();
         let Some(mut way) = bsdf.sample(Part::Specular, [u, v, lobe, chance]) else { return };
         let throughput = branch.throughput * way.weight / branch.squeeze;
-        let survival = self.roulette.survival(way.weight, throughput, branch.mirrored);
+        let limit = roulette::most(branch.mirrored);
+        let survival = self.roulette.survival(way.weight, throughput, limit);
         if chance >= f64::from(survival) {
             return;
         }

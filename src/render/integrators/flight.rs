@@ -1,19 +1,23 @@
 //! The paths of a wave's samples in flight: which there are, and where each stands.
 
+use glam::Vec3;
+
 use super::carrier::{Branch, Carrier, Trail};
 use super::lit::Lit;
 use super::path::Split;
+use super::turns::Turns;
 use super::{Ray, Source, Wave, World};
 use crate::math::Rgb;
 use crate::render::geometry::{Hit, Meeting};
+use crate::render::lanes::{LANES, Parted};
 use crate::render::lights::{Arrivals, Site, Sites};
-use crate::render::materials::{Cosines, Matter};
+use crate::render::materials::Matter;
 
 /// The paths in flight, and what they meet in a turn. Kept from wave to wave, for its memory.
 pub struct Flight<M: Matter> {
-    /// Of each sample the branch that is followed, by number of the sample.
+    /// Of each sample that has begun the branch that is followed, by number of the sample.
     pub(super) branches: Vec<Branch>,
-    /// The samples that have one.
+    /// The samples that are on their way, at most one for each lane.
     pub(super) lanes: Vec<usize>,
     /// Those that will have one in the next turn.
     pub(super) next: Next,
@@ -31,8 +35,10 @@ pub struct Flight<M: Matter> {
     pub(super) arrivals: Arrivals,
     /// What they bring to each.
     pub(super) lit: Lit,
-    /// The directions that light comes from.
-    pub(super) cosines: Cosines,
+    /// How the paths go on that have come to them.
+    pub(super) turns: Turns,
+    /// Which of them, and in the end which do.
+    pub(super) parted: Parted,
     /// What has been asked of lamps.
     pub(super) questions: Questions,
 }
@@ -69,19 +75,28 @@ impl<M: Matter> Flight<M> {
             trails: Vec::new(),
             arrivals: Arrivals::default(),
             lit: Lit::default(),
-            cosines: Cosines::default(),
+            turns: Turns::default(),
+            parted: Parted::default(),
             questions: Questions::default(),
         }
     }
 
-    /// Begins the samples of a wave.
-    pub(super) fn begin(&mut self, wave: &mut Wave) {
+    /// Begins a wave.
+    pub(super) fn begin(&mut self) {
         self.branches.clear();
-        for (ray, carrier) in wave.rays.iter().zip(&mut wave.carriers) {
-            self.branches.push(Branch::first(wave.world, ray, carrier.start()));
-        }
         self.lanes.clear();
-        self.lanes.extend(0..self.branches.len());
+    }
+
+    /// Begins as many of the samples of a wave as there is room for. Whether any are on their way.
+    pub(super) fn enter(&mut self, wave: &mut Wave) -> bool {
+        let first = self.branches.len();
+        let end = wave.rays.len().min(first + LANES - self.lanes.len());
+        for sample in first..end {
+            let trail = wave.carriers[sample].start();
+            self.branches.push(Branch::first(wave.world, &wave.rays[sample], trail));
+            self.lanes.push(sample);
+        }
+        !self.lanes.is_empty()
     }
 
     /// Finds what the rays meet.
@@ -105,6 +120,9 @@ impl<M: Matter> Flight<M> {
 impl Next {
     /// A branch has come to its end. The sample goes on by one that waits, if there is any.
     pub fn end(&mut self, lane: usize, branch: &mut Branch, carrier: &mut Carrier) {
+        if carrier.waiting.is_empty() {
+            return;
+        }
         if let Some(next) = carrier.waiting.pop() {
             *branch = next;
             self.lanes.push(lane);
@@ -113,34 +131,48 @@ impl Next {
 }
 
 /// Light that lamps will bring if nothing is in its way.
-#[derive(Default)]
 pub(super) struct Questions {
+    count: usize,
+    /// As many as are answered together at most.
     rays: Vec<Ray>,
     hidden: Vec<bool>,
     /// The sample, and what it will have.
     light: Vec<(usize, Trail, Rgb)>,
+    parted: Parted,
+}
+
+impl Default for Questions {
+    fn default() -> Self {
+        let ray = Ray::new(Vec3::ZERO, Vec3::Z);
+        Self {
+            count: 0,
+            rays: vec![ray; LANES],
+            hidden: vec![false; LANES],
+            light: vec![(0, Trail::START, Rgb::BLACK); LANES],
+            parted: Parted::default(),
+        }
+    }
 }
 
 impl Questions {
-    /// So many are answered together at most.
-    const MOST: usize = 256;
-
     /// Brings light to a sample, if nothing is in its way where there are shadows.
     #[inline(always)]
     pub fn ask(
         &mut self,
         (world, shadows, carriers): (&World, bool, &mut [Carrier]),
         lane: usize,
-        ray: Ray,
+        ray: impl Fn() -> Ray,
         (trail, light): (Trail, Rgb),
     ) {
         if !shadows {
-            carriers[lane].add(trail, light, || Source::of(&ray));
+            carriers[lane].add(trail, light, || Source::of(&ray()));
             return;
         }
-        self.rays.push(ray);
-        self.light.push((lane, trail, light));
-        if self.rays.len() >= Self::MOST {
+        // In place: what is pushed is put together elsewhere, and copied.
+        self.rays[self.count] = ray();
+        self.light[self.count] = (lane, trail, light);
+        self.count += 1;
+        if self.count == LANES {
             self.answer(world, carriers);
         }
     }
@@ -148,16 +180,16 @@ impl Questions {
     /// Brings home the light of those that nothing is in the way of, in the order in which they were
     /// asked.
     pub fn answer(&mut self, world: &World, carriers: &mut [Carrier]) {
-        self.hidden.resize(self.rays.len(), false);
-        world.geometry.occluded_all(&self.rays, &mut self.hidden);
-        for (nth, &(lane, trail, light)) in self.light.iter().enumerate() {
-            let carrier = &mut carriers[lane];
-            carrier.shadow_rays += 1;
-            if !self.hidden[nth] {
-                carrier.add(trail, light, || Source::of(&self.rays[nth]));
-            }
+        let (rays, hidden) = (&self.rays[..self.count], &mut self.hidden[..self.count]);
+        world.geometry.occluded_all(rays, hidden);
+        for &(lane, ..) in &self.light[..self.count] {
+            carriers[lane].shadow_rays += 1;
         }
-        self.rays.clear();
-        self.light.clear();
+        let [seen, _] = self.parted.by(self.count, |nth| !hidden[nth]);
+        for &nth in seen {
+            let (lane, trail, light) = self.light[nth as usize];
+            carriers[lane].add(trail, light, || Source::of(&rays[nth as usize]));
+        }
+        self.count = 0;
     }
 }

@@ -4,73 +4,58 @@ use glam::Vec3;
 
 use super::lighting::Lighting;
 use super::path::{Path, power};
+use super::turns::Turns;
 use crate::math::Rgb;
-use crate::render::lanes::{LANES, Row, Rows, by_processor, get, padded, put};
+use crate::render::lanes::{LANES, Parted, Row, Rows, by_processor, get, padded, put};
 use crate::render::lights::Arrivals;
 use crate::render::materials::{Lambert, Lamberts};
 
 /// Surfaces that light is scattered by, one lane for each, and what that brings.
 pub(super) struct Lit {
-    lamberts: Lamberts,
-    /// Of the paths that have come to them.
-    throughput: Rows,
+    pub lamberts: Lamberts,
     /// Rays that go on from each.
     rays: Row,
     light: Rows,
     /// 1 where there is any.
     some: Row<u32>,
-    /// The lanes where there is.
-    places: Row<u32>,
+    /// Where that is.
+    brought: Parted,
 }
 
 impl Default for Lit {
     fn default() -> Self {
-        let (row, rows) = ([0.0; LANES], [[0.0; LANES]; 3]);
-        let (some, places) = ([0; LANES], [0; LANES]);
         Self {
             lamberts: Lamberts::default(),
-            throughput: rows,
-            rays: row,
-            light: rows,
-            some,
-            places,
+            rays: [0.0; LANES],
+            light: [[0.0; LANES]; 3],
+            some: [0; LANES],
+            brought: Parted::default(),
         }
     }
 }
 
 impl Lit {
-    /// Gives a lane its surface, with the chance of it among so many rays that go on, and the
-    /// throughput of the path that has come to it.
+    /// Gives a lane its surface, with the chance of it among so many rays that go on.
     #[inline(always)]
-    pub fn put(
-        &mut self,
-        lane: usize,
-        surface: Option<(&Lambert, f32)>,
-        (throughput, rays): (Rgb, u32),
-    ) {
+    pub fn put(&mut self, lane: usize, surface: Option<(&Lambert, f32)>, rays: u32) {
         self.lamberts.put(lane, surface);
-        put(&mut self.throughput, lane, throughput.to_array().into());
         self.rays[lane] = rays as f32;
     }
 
-    /// Finds what arrives at the first so many lanes, and those to which something does, in their
+    /// Finds what the first so many lanes bring home, and which of them bring anything, in their
     /// order.
     pub fn find(
         &mut self,
         count: usize,
         (path, lighting): (&Path, &Lighting),
-        arrivals: &Arrivals,
+        (arrivals, turns): (&Arrivals, &Turns),
     ) -> impl Iterator<Item = (usize, Rgb)> {
-        light_all(count, path, lighting, arrivals, self);
-        let mut found = 0;
-        for lane in 0..count {
-            self.places[found % LANES] = lane as u32;
-            found += self.some[lane] as usize;
-        }
-        let light = &self.light;
-        self.places[..found].iter().map(|&place| {
-            let [r, g, b] = get(light, place as usize).to_array();
-            (place as usize, Rgb::new(r, g, b))
+        light_all(count, path, lighting, (arrivals, turns), self);
+        let Self { light, some, brought, .. } = self;
+        let [brought, _] = brought.by(count, |lane| some[lane] != 0);
+        brought.iter().map(|&lane| {
+            let [r, g, b] = get(light, lane as usize).to_array();
+            (lane as usize, Rgb::new(r, g, b))
         })
     }
 }
@@ -81,13 +66,13 @@ by_processor! {
         count: usize,
         path: &Path,
         lighting: &Lighting,
-        arrivals: &Arrivals,
+        asked: (&Arrivals, &Turns),
         lit: &mut Lit,
     ) {
+        let (arrivals, turns) = asked;
         for lane in 0..padded(count) {
             let (lambert, chance) = lit.lamberts.at(lane);
-            let [r, g, b] = get(&lit.throughput, lane).to_array();
-            let seen = (Rgb::new(r, g, b), &lambert, [lit.rays[lane], chance]);
+            let seen = (turns.throughput(lane), &lambert, [lit.rays[lane], chance]);
             let arrived = (arrivals.wi(lane), arrivals.irradiance(lane));
             let (light, some) = path.light_of(lighting, seen, arrived, arrivals.density(lane));
             put(&mut lit.light, lane, light.to_array().into());

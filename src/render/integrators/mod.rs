@@ -11,6 +11,7 @@ mod preview;
 mod roulette;
 mod stages;
 mod traced;
+mod turns;
 mod wave;
 
 pub use carrier::{Carrier, GiveUp};

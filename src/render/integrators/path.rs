@@ -3,7 +3,7 @@
 
 use super::carrier::{Branch, Carrier};
 use super::lighting::Lighting;
-use super::roulette::Roulette;
+use super::roulette::{self, Roulette};
 use super::{Source, Stream, World};
 use crate::render::geometry::Hit;
 use crate::render::lights::Site;
@@ -94,6 +94,12 @@ impl Path {
         }
         let density = lighting.density(world, &branch.site, light, pdf_w(&branch.site));
         power(branch.pdf_w, density)
+    }
+
+    /// The largest chance to go on of a path that has met so many surfaces before this one.
+    #[inline]
+    pub(super) fn limit(&self, surfaces: u32) -> f32 {
+        if surfaces >= self.roulette_after { roulette::most(surfaces) } else { roulette::SAFE }
     }
 
     /// How many rays go on from a surface, and by which part of what it does.

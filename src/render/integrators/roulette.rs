@@ -23,9 +23,12 @@ pub enum Roulette {
 /// faster than paths become few, and pictures are too dark but for rare fireflies.)
 const LONG: u32 = 256;
 
+/// Stands for the largest chance of a path that is not to be ended.
+pub const SAFE: f32 = f32::INFINITY;
+
 /// The largest chance to go on after so many surfaces.
 #[inline]
-fn most(surfaces: u32) -> f32 {
+pub fn most(surfaces: u32) -> f32 {
     if surfaces < LONG {
         return 1.0;
     }
@@ -34,10 +37,10 @@ fn most(surfaces: u32) -> f32 {
 }
 
 impl Roulette {
-    /// The chance that a path goes on after `surfaces`. `reflectance` is what the last of them gave
+    /// The chance that a path goes on, at most `limit`. `reflectance` is what the last surface gave
     /// back, over the density of the direction; `throughput` what the path then has.
-    #[inline]
-    pub fn survival(self, reflectance: Rgb, throughput: Rgb, surfaces: u32) -> f32 {
+    #[inline(always)]
+    pub fn survival(self, reflectance: Rgb, throughput: Rgb, limit: f32) -> f32 {
         let chance = match self {
             Self::Off => return 1.0,
             Self::Mean => reflectance.mean(),
@@ -45,7 +48,8 @@ impl Roulette {
             Self::Throughput => throughput.largest(),
         };
         // A chance of nothing ends all.
-        chance.min(most(surfaces)).max(0.0)
+        let chance = chance.min(limit).max(0.0);
+        if limit == SAFE { 1.0 } else { chance }
     }
 }
 
@@ -57,7 +61,7 @@ mod tests {
     fn of_long_paths_ever_fewer_go_on_and_the_variance_stays_finite() {
         // As many as come to the n-th surface, and their weight.
         let (mut alive, mut surfaces) = (1.0, 0.0);
-        let of = |n: u32| f64::from(Roulette::Throughput.survival(Rgb::ONE, Rgb::ONE, n));
+        let of = |n: u32| f64::from(Roulette::Throughput.survival(Rgb::ONE, Rgb::ONE, most(n)));
         for n in 0..100_000 {
             surfaces += alive;
             alive *= of(n);
@@ -70,17 +74,18 @@ mod tests {
     #[test]
     fn chances_are_chances() {
         let red = Rgb::new(0.9, 0.0, 0.0);
-        let of = |roulette: Roulette| roulette.survival(red, red * 0.5, 3);
+        let of = |roulette: Roulette| roulette.survival(red, red * 0.5, most(3));
         assert_eq!(of(Roulette::Off), 1.0);
         assert!((of(Roulette::Mean) - 0.3).abs() < 1e-6);
         assert!((of(Roulette::Luminance) - 0.9 * 0.2126).abs() < 1e-6);
         assert_eq!(of(Roulette::Throughput), 0.45);
         let bright = Rgb::grey(7.0);
         for roulette in [Roulette::Mean, Roulette::Luminance, Roulette::Throughput] {
-            assert_eq!(roulette.survival(bright, bright, 0), 1.0);
-            assert!(roulette.survival(bright, bright, LONG) < 1.0);
-            assert_eq!(roulette.survival(Rgb::BLACK, Rgb::BLACK, 0), 0.0);
-            let odd = roulette.survival(Rgb::grey(f32::NAN), Rgb::grey(f32::NAN), 0);
+            assert_eq!(roulette.survival(bright, bright, most(0)), 1.0);
+            assert!(roulette.survival(bright, bright, most(LONG)) < 1.0);
+            assert_eq!(roulette.survival(Rgb::BLACK, Rgb::BLACK, most(0)), 0.0);
+            assert_eq!(roulette.survival(Rgb::BLACK, Rgb::BLACK, SAFE), 1.0);
+            let odd = roulette.survival(Rgb::grey(f32::NAN), Rgb::grey(f32::NAN), most(0));
             assert!((0.0..=1.0).contains(&odd));
         }
     }

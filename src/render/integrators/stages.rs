@@ -1,21 +1,19 @@
 //! The stages of a path, each for all samples of a wave before the next: to a surface, what shines
 //! there, what lamps send, and on.
 
-use super::carrier::{Branch, Carrier};
 use super::flight::{Flight, Surface};
 use super::path::Path;
 use super::{Source, Wave};
-use crate::render::geometry::Hit;
 use crate::render::lights::{Arrival, Site};
-use crate::render::materials::{Matter, Scatter, Scattered};
+use crate::render::materials::{Matter, Scatter};
 
 impl Path {
     /// Radiance along the rays of a wave.
     ///
     /// Each turn takes every path that is in flight to its next surface, and from there on.
     pub fn follow<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
-        flight.begin(wave);
-        while !flight.lanes.is_empty() {
+        flight.begin();
+        while flight.enter(wave) {
             flight.meet(wave.world);
             self.arrive(wave, flight);
             self.ask(wave, flight);
@@ -32,18 +30,28 @@ impl Path {
     /// surfaces do with light.
     fn arrive<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
         let world = wave.world;
-        flight.surfaces.clear();
-        flight.sites.clear();
-        for (place, (&lane, hit)) in flight.lanes.iter().zip(&mut flight.hits).enumerate() {
-            let (branch, carrier) = (&mut flight.branches[lane], &mut wave.carriers[lane]);
-            branch.pass(world, hit);
-            let Some(hit) = hit else {
-                self.escaped(world, branch, carrier);
-                flight.next.end(lane, branch, carrier);
-                continue;
-            };
-            let surfaces = branch.scattered + branch.mirrored;
-            if surfaces == 0 {
+        let Flight { branches, lanes, next, hits, surfaces, sites, lit, turns, parted, .. } =
+            flight;
+        surfaces.clear();
+        sites.clear();
+        if world.overlaps.is_some() {
+            for (&lane, hit) in lanes.iter().zip(&mut *hits) {
+                branches[lane].pass(world, hit);
+            }
+        }
+        let [met, gone] = parted.by(lanes.len(), |place| hits[place].is_some());
+        for &place in gone {
+            let lane = lanes[place as usize];
+            let (branch, carrier) = (&mut branches[lane], &mut wave.carriers[lane]);
+            self.escaped(world, branch, carrier);
+            next.end(lane, branch, carrier);
+        }
+        for &place in met {
+            let place = place as usize;
+            let (lane, Some(hit)) = (lanes[place], &hits[place]) else { continue };
+            let (branch, carrier) = (&mut branches[lane], &mut wave.carriers[lane]);
+            let met = branch.scattered + branch.mirrored;
+            if met == 0 {
                 carrier.object = Some(hit.object);
             }
             let material = &world.materials[hit.material as usize];
@@ -53,17 +61,18 @@ impl Path {
                 let light = branch.throughput * emission * weight;
                 carrier.add(branch.trail, light, || Source::Point(hit.position));
             }
-            if surfaces >= self.depth {
-                flight.next.end(lane, branch, carrier);
+            if met >= self.depth {
+                next.end(lane, branch, carrier);
                 continue;
             }
             let bsdf = M::at(material, hit, -branch.ray.direction);
             let site = Site::new(hit, &bsdf);
             let split = self.split(branch, &bsdf);
-            flight.sites.push(&site);
-            let scatters = bsdf.lambert_of(split.part);
-            flight.lit.put(flight.surfaces.len(), scatters, (branch.throughput, split.rays));
-            flight.surfaces.push(Surface { lane, place, site, bsdf, split });
+            let nth = surfaces.len();
+            sites.push(&site);
+            turns.put(nth, branch, self.limit(met));
+            lit.put(nth, bsdf.lambert_of(split.part), split.rays);
+            surfaces.push(Surface { lane, place, site, bsdf, split });
         }
     }
 
@@ -71,14 +80,15 @@ impl Path {
     fn ask<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
         let Some(lighting) = &self.lighting else { return };
         let world = wave.world;
-        let Flight { branches, hits, surfaces, sites, trails, arrivals, lit, questions, .. } =
-            flight;
+        let Flight { branches, hits, surfaces, sites, trails, arrivals, lit, turns, .. } = flight;
+        let questions = &mut flight.questions;
         trails.clear();
         for Surface { lane, place, bsdf, .. } in &*surfaces {
             let carrier = &mut wave.carriers[*lane];
-            let scatters = bsdf.scatters().zip(hits[*place].as_ref());
-            let trail =
-                scatters.map(|(event, hit)| carrier.after(branches[*lane].trail, event, hit));
+            let trail = match (bsdf.scatters(), &hits[*place]) {
+                (Some(event), Some(hit)) => Some(carrier.after(branches[*lane].trail, event, hit)),
+                _ => None,
+            };
             trails.push(trail.filter(|trail| !carrier.is_hidden(*trail)));
         }
         if lighting.is_plain() {
@@ -95,11 +105,12 @@ impl Path {
                 }
                 wave.fours.draw();
                 world.lights.sample_all(&world.geometry, (sites, &wave.fours), asked, arrivals);
-                for (nth, light) in lit.find(surfaces.len(), (self, lighting), arrivals) {
+                let arrived = (&*arrivals, &*turns);
+                for (nth, light) in lit.find(surfaces.len(), (self, lighting), arrived) {
                     if let Some(trail) = trails[nth] {
                         let answer = (world, lighting.shadows, &mut *wave.carriers);
                         let lane = surfaces[nth].lane;
-                        questions.ask(answer, lane, arrivals.shadow(nth), (trail, light));
+                        questions.ask(answer, lane, || arrivals.shadow(nth), (trail, light));
                     }
                 }
             }
@@ -117,7 +128,7 @@ impl Path {
                 let (light, some) = self.light_of(lighting, seen, arrived, (pdf_w, taken));
                 if some {
                     let answer = (world, lighting.shadows, &mut *wave.carriers);
-                    questions.ask(answer, *lane, shadow, (trail, light));
+                    questions.ask(answer, *lane, || shadow, (trail, light));
                 }
             });
         }
@@ -126,7 +137,8 @@ impl Path {
 
     /// Sends the paths on. Where several rays go on from a surface, they wait.
     fn go_on<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
-        let Flight { branches, hits, surfaces, sites, cosines, next, .. } = flight;
+        let Flight { branches, hits, surfaces, sites, lit, turns, parted, next, .. } = flight;
+        let count = surfaces.len();
         wave.fours.clear();
         for surface in &*surfaces {
             match surface.split.is_any() {
@@ -135,51 +147,34 @@ impl Path {
             }
         }
         wave.fours.draw();
-        if M::BY_COSINE {
-            cosines.sample(surfaces.len(), sites.normals(), wave.fours.rows());
-        }
-        for (nth, surface) in surfaces.iter().enumerate() {
-            let Surface { lane, place, site, bsdf, split } = surface;
+        let bsdfs = surfaces.iter().map(|surface| &surface.bsdf);
+        M::ways(bsdfs, &lit.lamberts, &wave.fours, &mut turns.ways);
+        turns.decide(count, self.roulette, sites, &wave.fours);
+        let [going, ended] =
+            parted.by(count, |nth| turns.goes_on(nth) & !surfaces[nth].split.is_any());
+        for &nth in going {
+            let Surface { lane, place, site, .. } = &surfaces[nth as usize];
             let Some(hit) = &hits[*place] else { continue };
             let (branch, carrier) = (&mut branches[*lane], &mut wave.carriers[*lane]);
-            let goes_on = if split.is_any() {
-                let stream = &mut wave.streams[*lane];
-                self.split_on(branch, hit, (site, bsdf, *split), stream, carrier);
-                false
-            } else {
-                let u = wave.fours.at(nth);
-                let way = M::way(bsdf, cosines, nth, u);
-                way.is_some_and(|way| self.way_on(branch, hit, (site, way, u[3]), carrier))
-            };
-            if goes_on {
-                next.lanes.push(*lane);
-            } else {
-                next.end(*lane, branch, carrier);
+            let (way, ray, throughput) = turns.way(nth as usize, sites);
+            branch.take(site, &way, (ray, throughput), 1);
+            match carrier.behind(branch, way.event, hit) {
+                true => next.lanes.push(*lane),
+                false => next.end(*lane, branch, carrier),
             }
             wave.given_up |= carrier.given_up;
         }
-    }
-
-    /// Turns a path to a way on. Whether it takes it, by a `chance` in [0, 1) that decides nothing
-    /// else.
-    #[inline(always)]
-    fn way_on(
-        &self,
-        branch: &mut Branch,
-        hit: &Hit,
-        (site, mut way, chance): (&Site, Scattered, f64),
-        carrier: &mut Carrier,
-    ) -> bool {
-        let surfaces = branch.scattered + branch.mirrored;
-        if surfaces >= self.roulette_after {
-            let throughput = branch.throughput * way.weight / branch.squeeze;
-            let survival = self.roulette.survival(way.weight, throughput, surfaces);
-            if chance >= f64::from(survival) {
-                return false;
+        for &nth in ended {
+            let Surface { lane, place, site, bsdf, split } = &surfaces[nth as usize];
+            let (branch, carrier) = (&mut branches[*lane], &mut wave.carriers[*lane]);
+            if let Some(hit) = &hits[*place]
+                && split.is_any()
+            {
+                let stream = &mut wave.streams[*lane];
+                self.split_on(branch, hit, (site, bsdf, *split), stream, carrier);
             }
-            way.weight = way.weight / survival;
+            next.end(*lane, branch, carrier);
+            wave.given_up |= carrier.given_up;
         }
-        branch.turn(site, &way, 1);
-        carrier.behind(branch, way.event, hit)
     }
 }

@@ -6,6 +6,7 @@
 
 use super::carrier::{Carrier, GiveUp, PATIENCE};
 use super::{Ray, Stream, Tracing, World};
+use crate::render::lanes::LANES;
 use crate::render::samplers::Fours;
 
 /// Samples that are taken together.
@@ -29,6 +30,10 @@ pub struct Wave<'w> {
 }
 
 impl<'w> Wave<'w> {
+    /// The most samples of a wave: many times as many as are on their way together, so that it has
+    /// nearly always as many.
+    pub const MOST: usize = 8 * LANES;
+
     /// Of no samples yet; now and then they ask `give_up` whether to go on.
     pub fn new(world: &'w World, give_up: Option<&'w GiveUp<'w>>) -> Self {
         Self {
@@ -44,26 +49,31 @@ impl<'w> Wave<'w> {
         }
     }
 
-    /// Begins these samples, each of a pixel, in place of those before; as many as there are lanes at
-    /// most.
-    pub fn begin(&mut self, seed: u64, samples: impl Iterator<Item = ([u64; 2], u64)> + Clone) {
+    /// Begins these samples, each of a pixel, in place of those before; [`Self::MOST`] at most.
+    pub fn begin(&mut self, seed: u64, mut samples: impl Iterator<Item = ([u64; 2], u64)> + Clone) {
         let world = self.world;
         self.followed = 0;
         self.streams.clear();
         self.rays.clear();
         self.weights.clear();
-        self.fours.clear();
-        for ([x, y], sample) in samples.clone() {
-            let mut stream = world.sampler.stream(seed, world.film.index(x, y), sample);
-            self.fours.push(&mut stream);
-            self.streams.push(stream);
-        }
-        self.fours.draw();
-        for (lane, ([x, y], _)) in samples.enumerate() {
-            let [u, v, ..] = self.fours.at(lane);
-            let (dx, dy, weight) = world.film.filter.sample([u, v]);
-            self.rays.push(world.camera.ray(x as f64 + 0.5 + dx, y as f64 + 0.5 + dy));
-            self.weights.push(weight);
+        loop {
+            let first = self.streams.len();
+            self.fours.clear();
+            for ([x, y], sample) in samples.clone().take(LANES) {
+                let mut stream = world.sampler.stream(seed, world.film.index(x, y), sample);
+                self.fours.push(&mut stream);
+                self.streams.push(stream);
+            }
+            if self.streams.len() == first {
+                break;
+            }
+            self.fours.draw();
+            for (lane, ([x, y], _)) in samples.by_ref().take(LANES).enumerate() {
+                let [u, v, ..] = self.fours.at(lane);
+                let (dx, dy, weight) = world.film.filter.sample([u, v]);
+                self.rays.push(world.camera.ray(x as f64 + 0.5 + dx, y as f64 + 0.5 + dy));
+                self.weights.push(weight);
+            }
         }
         while self.carriers.len() < self.rays.len() {
             self.carriers.push(Carrier::new(world, self.give_up));

@@ -6,10 +6,10 @@
 
 use std::f32::consts::FRAC_1_PI;
 
-use glam::{DVec2, Vec3};
+use glam::{DVec2, Vec2, Vec3};
 
-use super::{Event, Facing, Scattered, cosines};
-use crate::math::Rgb;
+use super::{Event, Facing, Scattered};
+use crate::math::{Rgb, random, warp};
 use crate::render::textures::Colour;
 
 /// A diffuse surface.
@@ -64,32 +64,25 @@ impl Lambert {
     /// By the cosine to the shading normal; None below the surface, or black.
     #[inline(always)]
     pub(super) fn sample(&self, u: [f64; 2]) -> Option<Scattered> {
-        self.along(cosines::about(self.ns, u))
+        let (way, some) = self.way(u);
+        some.then_some(way)
     }
 
-    /// The same with the direction, and its density.
+    /// The same, and whether it is one: without jumps, so that a loop over it becomes vectors.
     #[inline(always)]
-    pub(super) fn along(&self, (wi, pdf_w): (Vec3, f32)) -> Option<Scattered> {
-        (pdf_w > 0.0 && self.faces(wi) && !self.albedo.is_black()).then_some(Scattered {
-            wi,
-            weight: self.albedo,
-            squeeze: 1.0,
-            pdf_w,
-            event: Event::DiffuseReflection,
-        })
+    pub(super) fn way(&self, u: [f64; 2]) -> (Scattered, bool) {
+        let u = Vec2::new(random::unit_f32(u[0]), random::unit_f32(u[1]));
+        let wi = warp::about(self.ns, warp::square_to_cosine(u));
+        let (weight, pdf_w) = (self.albedo, self.pdf_w(wi));
+        let some = (pdf_w > 0.0) & self.faces(wi) & !weight.is_black();
+        (Scattered { wi, weight, squeeze: 1.0, pdf_w, event: Event::DiffuseReflection }, some)
     }
 
     /// cos θ/π.
     #[inline(always)]
     pub fn pdf_w(&self, wi: Vec3) -> f32 {
-        cosine(self.ns, wi)
+        FRAC_1_PI * self.ns.dot(wi).max(0.0)
     }
-}
-
-/// cos θ/π, 0 below the normal.
-#[inline(always)]
-pub(super) fn cosine(normal: Vec3, wi: Vec3) -> f32 {
-    FRAC_1_PI * normal.dot(wi).max(0.0)
 }
 
 #[cfg(test)]

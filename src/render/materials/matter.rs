@@ -3,9 +3,10 @@
 
 use glam::Vec3;
 
-use super::{Bsdf, Cosines, Event, Facing, Lambert, Material, Part, Scattered, Surface};
+use super::{Bsdf, Event, Facing, Lambert, Lamberts, Material, Part, Scattered, Surface, Ways};
 use crate::math::Rgb;
 use crate::render::geometry::Hit;
+use crate::render::samplers::Fours;
 
 /// Which materials there are in a world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,12 +25,15 @@ pub trait Matter {
     /// What a material is at a hit, seen from `wo`.
     fn at(material: &Material, hit: &Hit, wo: Vec3) -> Self::Bsdf;
 
-    /// Whether all directions are those about the normal by the cosine.
-    const BY_COSINE: bool;
-
-    /// A direction for light to come from, by `u` in [0, 1)⁴; where all are by the cosine, that of a
-    /// lane.
-    fn way(bsdf: &Self::Bsdf, cosines: &Cosines, lane: usize, u: [f64; 4]) -> Option<Scattered>;
+    /// For so many surfaces, ways on of all that they do, by numbers of theirs in [0, 1)⁴: those of
+    /// `bsdfs`, of which the diffuse parts are `lamberts`.
+    fn ways<'a>(
+        bsdfs: impl ExactSizeIterator<Item = &'a Self::Bsdf>,
+        lamberts: &Lamberts,
+        fours: &Fours,
+        ways: &mut Ways,
+    ) where
+        Self::Bsdf: 'a;
 }
 
 /// How the surface at a hit scatters light: see the methods of [`Bsdf`].
@@ -64,10 +68,15 @@ impl Matter for Any {
         material.at(hit, wo)
     }
 
-    const BY_COSINE: bool = false;
-
-    fn way(bsdf: &Bsdf, _: &Cosines, _: usize, u: [f64; 4]) -> Option<Scattered> {
-        bsdf.sample(Part::All, u)
+    fn ways<'a>(
+        bsdfs: impl ExactSizeIterator<Item = &'a Bsdf>,
+        _: &Lamberts,
+        fours: &Fours,
+        ways: &mut Ways,
+    ) {
+        for (lane, bsdf) in bsdfs.enumerate() {
+            ways.put(lane, bsdf.sample(Part::All, fours.at(lane)));
+        }
     }
 }
 
@@ -90,11 +99,13 @@ impl Matter for OnlyDiffuse {
         }
     }
 
-    const BY_COSINE: bool = true;
-
-    #[inline(always)]
-    fn way(bsdf: &Lambert, cosines: &Cosines, lane: usize, _: [f64; 4]) -> Option<Scattered> {
-        bsdf.along(cosines.at(lane))
+    fn ways<'a>(
+        bsdfs: impl ExactSizeIterator<Item = &'a Lambert>,
+        lamberts: &Lamberts,
+        fours: &Fours,
+        ways: &mut Ways,
+    ) {
+        ways.by_cosine(bsdfs.len(), lamberts, fours);
     }
 }
 

@@ -4,7 +4,6 @@
 //! directions point away from the surface. Weights are of radiance that goes from `wi` to `wo`.
 
 mod conductor;
-mod cosines;
 mod dielectric;
 mod diffuse;
 mod facing;
@@ -12,18 +11,19 @@ mod lamberts;
 mod matter;
 mod mirror;
 mod mixture;
+mod ways;
 
 #[cfg(test)]
 mod tests;
 
 pub use conductor::Conductor;
-pub use cosines::Cosines;
 pub use dielectric::{Dielectric, Interface};
 pub use diffuse::{Diffuse, Lambert};
 pub use lamberts::Lamberts;
 pub use matter::{Any, Makeup, Matter, OnlyDiffuse, Scatter};
 pub use mirror::{Mirror, Reflector};
 pub use mixture::{Mixed, Mixture};
+pub use ways::Ways;
 
 use facing::Facing;
 use glam::{DVec2, Vec3};

@@ -121,12 +121,13 @@ impl Sites {
     }
 
     /// Their normals, as sites have them.
-    pub fn normals(&self) -> &Rows {
+    pub(super) fn normals(&self) -> &Rows {
         &self.normal
     }
 
+    /// The point of a lane.
     #[inline(always)]
-    pub(super) fn point(&self, lane: usize) -> Point {
+    pub fn point(&self, lane: usize) -> Point {
         let (position, error) = (get(&self.position, lane), get(&self.error, lane));
         Point { position, error, ng: get(&self.ng, lane), sheet: self.sheet[lane] }
     }
