@@ -13,11 +13,14 @@ def aims(data):
 
 
 def of_rays(data):
+    """Against Embree's single rays: scn's one by one, and in streams, as renders ask."""
     for name in ("bunny", "dragon"):
         for kind in data["rays"].get(name, {}).get("sets", []):
             least = 1.4 if kind["set"] in ("primary", "shadow") else 1.3
-            yield (f"{name}, {kind['set']} rays a second, × Embree's",
-                   least, True, ratio(kind["programs"], "embree", "scn meet"))
+            for way, ours in [("one by one", "scn meet"), ("in streams", "scn streams meet")]:
+                if ours in kind["programs"]:
+                    yield (f"{name}, {kind['set']} rays a second {way}, × Embree's one by one",
+                           least, True, ratio(kind["programs"], "embree", ours))
 
 
 def of_renders(data):

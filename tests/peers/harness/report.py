@@ -53,23 +53,28 @@ def agree_table(data):
 
 
 def rays_table(data):
-    yield ("| scene | rays | scn meet, million a second | all of a hit | streams | Embree "
-           "| packets of 8 | Embree robust | meet over Embree | over robust | all over Embree "
-           "| hits apart |")
-    yield "|" + " --- |" * 12
-    columns = ("scn meet", "scn", "scn streams", "embree", "embree packets", "embree robust")
+    yield ("| scene | rays | scn meet, million a second | in streams | all of a hit | in streams "
+           "| Embree | packets of 8 | Embree robust | meet over Embree | in streams | over robust "
+           "| in streams | all over Embree | in streams | hits apart |")
+    yield "|" + " --- |" * 16
+    columns = ("scn meet", "scn streams meet", "scn", "scn streams", "embree", "embree packets",
+               "embree robust")
     for name, found in data["rays"].items():
         for kind in found["sets"]:
             programs = kind["programs"]
             rates = " | ".join(
                 figure(kind["rays"] / 1e6 / min(programs[p]["seconds"]), 3) if p in programs
                 else "-" for p in columns)
+            ratios = " | ".join(
+                f"{ratio(programs, other, ours):.2f}" if ours in programs else "-"
+                for other, ours in [
+                    ("embree", "scn meet"), ("embree", "scn streams meet"),
+                    ("embree robust", "scn meet"), ("embree robust", "scn streams meet"),
+                    ("embree", "scn"), ("embree", "scn streams")])
             apart = programs["scn"]["hits"] - programs["embree robust"]["hits"]
             apart /= max(1, kind["rays"])
             yield (f"| {name}, {found['triangles']:,} triangles | {kind['set']} | {rates} "
-                   f"| {ratio(programs, 'embree', 'scn meet'):.2f} "
-                   f"| {ratio(programs, 'embree robust', 'scn meet'):.2f} "
-                   f"| {ratio(programs, 'embree'):.2f} | {1e6 * apart:+.0f} ppm |")
+                   f"| {ratios} | {1e6 * apart:+.0f} ppm |")
 
 
 def aims_table(data):

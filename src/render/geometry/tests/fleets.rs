@@ -84,7 +84,9 @@ fn odd_rays_do_a_fleet_no_harm() {
     for extreme in [false, true] {
         let mut shapes = soup(&mut chance, 300, 1.0);
         if extreme {
-            let corners = [Vec3::splat(1e30), Vec3::X * 1e36, Vec3::Y].map(|p| shapes.vertex(p));
+            // Parts of it are no numbers in f32.
+            let corners = [(-1.0, -1.0), (1.0, -1.0), (0.0, 1.0)];
+            let corners = corners.map(|(x, y)| shapes.vertex(Vec3::new(1e25 * x, 1e25 * y, 0.3)));
             shapes.triangle(Triangle { corners, normals: None, owner: Owner::default() });
         }
         let odd = |i: usize| {

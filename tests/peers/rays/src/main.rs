@@ -45,13 +45,15 @@ enum Program<'a> {
     ScnMeet(&'a Geometry),
     /// By streams of [`STREAM`] rays.
     ScnStreams(&'a Geometry),
+    /// What is met and where alone, by streams.
+    ScnStreamsMeet(&'a Geometry),
     Embree(*mut c_void),
     /// By packets of eight.
     EmbreePackets(*mut c_void),
 }
 
 /// Rays that are asked together: as many as a wave of paths has.
-const STREAM: usize = 64;
+const STREAM: usize = 256;
 
 impl Program<'_> {
     fn build(triangles: &Triangles, robust: bool) -> *mut c_void {
@@ -83,7 +85,7 @@ impl Program<'_> {
                 let met = set.rays.iter().filter_map(|ray| geometry.meet(ray));
                 met.inspect(|meeting| sum += f64::from(meeting.t)).count()
             }
-            Self::ScnStreams(geometry) if set.any => {
+            Self::ScnStreams(geometry) | Self::ScnStreamsMeet(geometry) if set.any => {
                 let mut occluded = [false; STREAM];
                 let count = |rays: &[Ray]| {
                     let occluded = &mut occluded[..rays.len()];
@@ -101,6 +103,17 @@ impl Program<'_> {
                     geometry.hit_all(rays, met, hits);
                     let all = hits.iter().flatten();
                     count += all.inspect(|hit| sum += f64::from(hit.t + hit.ng.x)).count();
+                }
+                count
+            }
+            Self::ScnStreamsMeet(geometry) => {
+                let mut met = [None; STREAM];
+                let mut count = 0;
+                for rays in set.rays.chunks(STREAM) {
+                    let met = &mut met[..rays.len()];
+                    geometry.meet_all(rays, met);
+                    let all = met.iter().flatten();
+                    count += all.inspect(|meeting| sum += f64::from(meeting.t)).count();
                 }
                 count
             }
@@ -148,6 +161,7 @@ fn main() -> ExitCode {
         ("scn", Program::Scn(&geometry)),
         ("scn meet", Program::ScnMeet(&geometry)),
         ("scn streams", Program::ScnStreams(&geometry)),
+        ("scn streams meet", Program::ScnStreamsMeet(&geometry)),
         ("embree", Program::Embree(fast)),
         ("embree packets", Program::EmbreePackets(fast)),
         ("embree robust", Program::Embree(robust)),
