@@ -16,42 +16,51 @@ pub struct Boundary {
 
 /// The boundary of two clear media. `excess` is the index beyond less the index here, over the
 /// index here: of indices that are nearly the same the difference is exact, the quotient is not.
+///
+/// Without jumps, so that a loop over it becomes vectors.
+#[inline(always)]
 pub fn dielectric(excess: f64, cos: f64) -> Boundary {
     let rest = excess * (excess + 2.0);
     let g_2 = rest + cos * cos;
-    if rest == 0.0 || g_2 <= 0.0 {
-        return Boundary { reflectance: if rest == 0.0 { 0.0 } else { 1.0 }, bend: 0.0 };
-    }
+    let (same, total) = (rest == 0.0, g_2 <= 0.0);
     // g is the cosine beyond times the relative index; bend is g − cos without cancellation.
     let g = g_2.sqrt();
     let sum = g + cos;
     let bend = rest / sum;
     let parallel = (cos * sum - 1.0) / (cos * bend + 1.0);
-    let reflectance = 0.5 * (bend / sum).powi(2) * (1.0 + parallel * parallel);
-    Boundary { reflectance: reflectance.clamp(0.0, 1.0), bend }
+    let across = bend / sum;
+    let reflectance = (0.5 * (across * across) * (1.0 + parallel * parallel)).clamp(0.0, 1.0);
+    let reflectance = if total { 1.0 } else { reflectance };
+    Boundary {
+        reflectance: if same { 0.0 } else { reflectance },
+        bend: if same | total { 0.0 } else { bend },
+    }
 }
 
-/// The part of light from a vacuum that matter of index n + ik reflects.
+/// The part of light from a vacuum that matter of index n + ik reflects. Without jumps, as above.
+#[inline(always)]
 pub fn conductor(n: f64, k: f64, cos: f64) -> f64 {
     // Their fourth powers stay numbers; beyond, all light is reflected.
     const MOST: f64 = 1e60;
-    let (n_2, k_2) = (n.min(MOST).powi(2), k.min(MOST).powi(2));
+    let (n, k) = (n.min(MOST), k.min(MOST));
+    let (n_2, k_2) = (n * n, k * k);
     let (cos_2, sin_2) = (cos * cos, 1.0 - cos * cos);
     // (a + ib)² is the square of the index less the square of the sine.
     let t = n_2 - k_2 - sin_2;
-    let length = t.hypot(2.0 * (n_2 * k_2).sqrt());
+    let length = (t * t + 4.0 * (n_2 * k_2)).sqrt();
     // The larger of a² and b² first: the smaller would cancel.
     let larger = 0.5 * (length + t.abs());
-    let a = match larger {
-        0.0 => 0.0,
-        b_2 if t < 0.0 => (n_2 * k_2 / b_2).sqrt(),
-        a_2 => a_2.sqrt(),
-    };
-    let part =
-        |sum: f64, twice: f64| if sum + twice > 0.0 { (sum - twice) / (sum + twice) } else { 1.0 };
+    let a = (if t < 0.0 { n_2 * k_2 / larger } else { larger }).sqrt();
+    let a = if larger == 0.0 { 0.0 } else { a };
     let across = part(length + cos_2, 2.0 * a * cos);
     let along = across * part(cos_2 * length + sin_2 * sin_2, 2.0 * a * cos * sin_2);
     (0.5 * (across + along)).clamp(0.0, 1.0)
+}
+
+#[inline(always)]
+fn part(sum: f64, twice: f64) -> f64 {
+    let ratio = (sum - twice) / (sum + twice);
+    if sum + twice > 0.0 { ratio } else { 1.0 }
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::math::Rgb;
 use crate::render::geometry::{Hit, Meeting};
 use crate::render::lanes::{LANES, Parted};
 use crate::render::lights::{Arrivals, Site, Sites};
-use crate::render::materials::Matter;
+use crate::render::materials::{Many, Matter, RANKS};
 
 /// The paths in flight, and what they meet in a turn. Kept from wave to wave, for its memory.
 pub struct Flight<M: Matter> {
@@ -25,8 +25,12 @@ pub struct Flight<M: Matter> {
     pub(super) rays: Vec<Ray>,
     pub(super) meetings: Vec<Option<Meeting>>,
     pub(super) hits: Vec<Option<Hit>>,
-    /// What was met, where light goes on.
-    pub(super) surfaces: Vec<Surface<M>>,
+    /// Of what was met, where light goes on, the numbers of the hits: by rank but the first.
+    pub(super) later: [Vec<u32>; RANKS - 1],
+    /// The surfaces, by rank.
+    pub(super) surfaces: Vec<Surface>,
+    /// What they do with light.
+    pub(super) many: M::Many,
     /// Where those are.
     pub(super) sites: Sites,
     /// The paths that have come to them by scattering; None: it does not, or nothing is shown of it.
@@ -50,13 +54,14 @@ pub(super) struct Next {
 }
 
 /// A surface that a path has met.
-pub(super) struct Surface<M: Matter> {
+pub(super) struct Surface {
     /// The sample.
     pub lane: usize,
     /// The number of its hit.
     pub place: usize,
     pub site: Site,
-    pub bsdf: M::Bsdf,
+    /// Whether light goes to all sides from it.
+    pub scatters: bool,
     pub split: Split,
 }
 
@@ -70,7 +75,9 @@ impl<M: Matter> Flight<M> {
             rays: Vec::new(),
             meetings: Vec::new(),
             hits: Vec::new(),
+            later: [const { Vec::new() }; RANKS - 1],
             surfaces: Vec::new(),
+            many: M::Many::default(),
             sites: Sites::default(),
             trails: Vec::new(),
             arrivals: Arrivals::default(),
@@ -97,6 +104,14 @@ impl<M: Matter> Flight<M> {
             self.lanes.push(sample);
         }
         !self.lanes.is_empty()
+    }
+
+    /// Forgets what was met.
+    pub(super) fn forget(&mut self) {
+        self.later.iter_mut().for_each(Vec::clear);
+        self.surfaces.clear();
+        self.many.clear();
+        self.sites.clear();
     }
 
     /// Finds what the rays meet.

@@ -7,7 +7,7 @@ use super::roulette::{self, Roulette};
 use super::{Source, Stream, World};
 use crate::render::geometry::Hit;
 use crate::render::lights::Site;
-use crate::render::materials::{Part, Scatter};
+use crate::render::materials::{Part, Scatter, Seen};
 
 /// The path tracer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,10 +104,10 @@ impl Path {
 
     /// How many rays go on from a surface, and by which part of what it does.
     #[inline]
-    pub(super) fn split(&self, branch: &Branch, bsdf: &impl Scatter) -> Split {
-        let specular = bsdf.is_specular() && branch.specular_splits < self.splits.specular;
+    pub(super) fn split(&self, branch: &Branch, seen: &Seen) -> Split {
+        let specular = seen.is_specular && branch.specular_splits < self.splits.specular;
         let part = if specular { Part::Scattering } else { Part::All };
-        let diffuse = bsdf.scatters().is_some() && branch.diffuse_splits < self.splits.diffuse;
+        let diffuse = seen.lambert.is_some() && branch.diffuse_splits < self.splits.diffuse;
         let rays = if diffuse { self.splits.rays } else { 1 };
         Split { specular, diffuse, part, rays }
     }

@@ -1,11 +1,16 @@
 //! The stages of a path, each for all samples of a wave before the next: to a surface, what shines
 //! there, what lamps send, and on.
 
+use glam::Vec3;
+
+use super::carrier::Branch;
 use super::flight::{Flight, Surface};
 use super::path::Path;
 use super::{Source, Wave};
+use crate::math::paths::Event;
+use crate::render::geometry::Hit;
 use crate::render::lights::{Arrival, Site};
-use crate::render::materials::{Matter, Scatter};
+use crate::render::materials::{Many, Material, Matter};
 
 impl Path {
     /// Radiance along the rays of a wave.
@@ -30,10 +35,24 @@ impl Path {
     /// surfaces do with light.
     fn arrive<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
         let world = wave.world;
-        let Flight { branches, lanes, next, hits, surfaces, sites, lit, turns, parted, .. } =
-            flight;
-        surfaces.clear();
-        sites.clear();
+        flight.forget();
+        let Flight { branches, lanes, next, hits, later, parted, .. } = flight;
+        let Flight { surfaces, many, sites, lit, turns, .. } = flight;
+        let mut see = |place: usize, branch: &Branch, hit: &Hit, material: &Material| {
+            let seen = many.push(material, hit, -branch.ray.direction);
+            let split = self.split(branch, &seen);
+            let (nth, lane, scatters) = (surfaces.len(), lanes[place], seen.lambert.is_some());
+            let normal = seen.lambert.as_ref().map_or(Vec3::ZERO, |lambert| lambert.side());
+            let site = Site { point: hit.point(), normal };
+            match M::rank(material) {
+                0 => sites.push(&site),
+                _ => sites.add(&site),
+            }
+            turns.put(nth, branch, self.limit(branch.scattered + branch.mirrored));
+            let chance = many.chance(split.part);
+            lit.put(nth, seen.lambert.as_ref().map(|lambert| (lambert, chance)), split.rays);
+            surfaces.push(Surface { lane, place, site, scatters, split });
+        };
         if world.overlaps.is_some() {
             for (&lane, hit) in lanes.iter().zip(&mut *hits) {
                 branches[lane].pass(world, hit);
@@ -65,14 +84,15 @@ impl Path {
                 next.end(lane, branch, carrier);
                 continue;
             }
-            let bsdf = M::at(material, hit, -branch.ray.direction);
-            let site = Site::new(hit, &bsdf);
-            let split = self.split(branch, &bsdf);
-            let nth = surfaces.len();
-            sites.push(&site);
-            turns.put(nth, branch, self.limit(met));
-            lit.put(nth, bsdf.lambert_of(split.part), split.rays);
-            surfaces.push(Surface { lane, place, site, bsdf, split });
+            match M::rank(material) {
+                0 => see(place, branch, hit, material),
+                rank => later[rank - 1].push(place as u32),
+            }
+        }
+        for &place in later.iter().flatten() {
+            let place = place as usize;
+            let (branch, Some(hit)) = (&branches[lanes[place]], &hits[place]) else { continue };
+            see(place, branch, hit, &world.materials[hit.material as usize]);
         }
     }
 
@@ -80,13 +100,17 @@ impl Path {
     fn ask<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
         let Some(lighting) = &self.lighting else { return };
         let world = wave.world;
-        let Flight { branches, hits, surfaces, sites, trails, arrivals, lit, turns, .. } = flight;
-        let questions = &mut flight.questions;
+        let Flight { branches, hits, surfaces, sites, trails, arrivals, lit, .. } = flight;
+        let (turns, questions) = (&flight.turns, &mut flight.questions);
+        let surfaces = &surfaces[sites.lanes()];
         trails.clear();
-        for Surface { lane, place, bsdf, .. } in &*surfaces {
+        for Surface { lane, place, scatters, .. } in surfaces {
             let carrier = &mut wave.carriers[*lane];
-            let trail = match (bsdf.scatters(), &hits[*place]) {
-                (Some(event), Some(hit)) => Some(carrier.after(branches[*lane].trail, event, hit)),
+            let trail = match (scatters, &hits[*place]) {
+                (true, Some(hit)) => {
+                    let event = Event::DiffuseReflection;
+                    Some(carrier.after(branches[*lane].trail, event, hit))
+                }
                 _ => None,
             };
             trails.push(trail.filter(|trail| !carrier.is_hidden(*trail)));
@@ -105,7 +129,7 @@ impl Path {
                 }
                 wave.fours.draw();
                 world.lights.sample_all(&world.geometry, (sites, &wave.fours), asked, arrivals);
-                let arrived = (&*arrivals, &*turns);
+                let arrived = (&*arrivals, turns);
                 for (nth, light) in lit.find(surfaces.len(), (self, lighting), arrived) {
                     if let Some(trail) = trails[nth] {
                         let answer = (world, lighting.shadows, &mut *wave.carriers);
@@ -116,12 +140,11 @@ impl Path {
             }
             return questions.answer(world, &mut wave.carriers);
         }
-        for (surface, trail) in surfaces.iter().zip(trails) {
-            let Surface { lane, site, bsdf, split, .. } = surface;
-            let Some((trail, (lambert, chance))) = trail.zip(bsdf.lambert_of(split.part)) else {
-                continue;
-            };
-            let seen = (branches[*lane].throughput, lambert, [split.rays as f32, chance]);
+        for (nth, (surface, trail)) in surfaces.iter().zip(trails).enumerate() {
+            let Surface { lane, site, split, .. } = surface;
+            let Some(trail) = *trail else { continue };
+            let (lambert, chance) = lit.lamberts.at(nth);
+            let seen = (branches[*lane].throughput, &lambert, [split.rays as f32, chance]);
             lighting.ask(world, site, &mut wave.streams[*lane], |arrival, taken| {
                 let Arrival { wi, irradiance, pdf_w, shadow } = *arrival;
                 let arrived = (wi, irradiance);
@@ -137,7 +160,8 @@ impl Path {
 
     /// Sends the paths on. Where several rays go on from a surface, they wait.
     fn go_on<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
-        let Flight { branches, hits, surfaces, sites, lit, turns, parted, next, .. } = flight;
+        let Flight { branches, hits, surfaces, many, sites, lit, turns, .. } = flight;
+        let (parted, next) = (&mut flight.parted, &mut flight.next);
         let count = surfaces.len();
         wave.fours.clear();
         for surface in &*surfaces {
@@ -147,8 +171,8 @@ impl Path {
             }
         }
         wave.fours.draw();
-        let bsdfs = surfaces.iter().map(|surface| &surface.bsdf);
-        M::ways(bsdfs, &lit.lamberts, &wave.fours, &mut turns.ways);
+        let materials = &wave.world.materials;
+        many.ways(materials, &lit.lamberts, &wave.fours, &mut turns.ways);
         turns.decide(count, self.roulette, sites, &wave.fours);
         let [going, ended] =
             parted.by(count, |nth| turns.goes_on(nth) & !surfaces[nth].split.is_any());
@@ -165,13 +189,15 @@ impl Path {
             wave.given_up |= carrier.given_up;
         }
         for &nth in ended {
-            let Surface { lane, place, site, bsdf, split } = &surfaces[nth as usize];
+            let Surface { lane, place, site, split, .. } = &surfaces[nth as usize];
             let (branch, carrier) = (&mut branches[*lane], &mut wave.carriers[*lane]);
             if let Some(hit) = &hits[*place]
                 && split.is_any()
             {
                 let stream = &mut wave.streams[*lane];
-                self.split_on(branch, hit, (site, bsdf, *split), stream, carrier);
+                let material = &materials[hit.material as usize];
+                let bsdf = M::at(material, hit, -branch.ray.direction);
+                self.split_on(branch, hit, (site, &bsdf, *split), stream, carrier);
             }
             next.end(*lane, branch, carrier);
             wave.given_up |= carrier.given_up;

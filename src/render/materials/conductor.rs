@@ -1,5 +1,7 @@
 //! Smooth metal: Fresnel's formulas for a complex index of refraction.
 
+use glam::Vec3;
+
 use super::{Facing, Reflector};
 use crate::math::Rgb;
 use crate::optics::fresnel;
@@ -21,8 +23,13 @@ pub enum Conductor {
 impl Conductor {
     pub(super) fn at(&self, facing: &Facing) -> Reflector {
         let (wi, ns) = facing.mirrored();
-        let cos = facing.wo.dot(ns).clamp(0.0, 1.0);
-        Reflector { wi, reflectance: self.reflectance(cos) }
+        Reflector { wi, reflectance: self.reflectance(Self::cosine(facing, ns)) }
+    }
+
+    /// The viewer's cosine to a normal.
+    #[inline(always)]
+    pub(super) fn cosine(facing: &Facing, ns: Vec3) -> f32 {
+        facing.wo.dot(ns).clamp(0.0, 1.0)
     }
 
     /// What it gives back of light that falls straight on it.
@@ -31,7 +38,7 @@ impl Conductor {
     }
 
     /// What it gives back at this cosine to the normal.
-    fn reflectance(&self, cos: f32) -> Rgb {
+    pub(super) fn reflectance(&self, cos: f32) -> Rgb {
         match self {
             Self::Channels { n, k } => {
                 let part = |i: usize| fresnel::conductor(n[i], k[i], cos.into()) as f32;

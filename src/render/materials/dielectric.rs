@@ -1,6 +1,6 @@
 //! A smooth surface between two kinds of clear matter: Fresnel's formulas and Snell's law.
 
-use glam::Vec3;
+use glam::{BVec3, Vec3};
 
 use super::{Event, Facing, Scattered};
 use crate::math::Rgb;
@@ -17,13 +17,25 @@ pub struct Dielectric {
 
 impl Dielectric {
     pub(super) fn at(&self, facing: &Facing) -> Interface {
-        let (here, beyond) =
-            if facing.front { (self.outside, self.inside) } else { (self.inside, self.outside) };
+        Interface::new(facing, self.indices(facing))
+    }
+
+    /// The index on the viewer's side, and that beyond.
+    #[inline]
+    pub(super) fn indices(&self, facing: &Facing) -> [f64; 2] {
+        if facing.front { [self.outside, self.inside] } else { [self.inside, self.outside] }
+    }
+}
+
+impl Interface {
+    /// Between these indices, here and beyond. Without jumps, so that a loop over it becomes vectors.
+    #[inline(always)]
+    pub(super) fn new(facing: &Facing, [here, beyond]: [f64; 2]) -> Self {
         let (wi, ns) = facing.mirrored();
         let cos = facing.wo.as_dvec3().dot(ns.as_dvec3()).clamp(0.0, 1.0);
         // Of indices that are nearly the same the difference is exact, the quotient is not.
         let boundary = fresnel::dielectric((beyond - here) / here, cos);
-        Interface { facing: Facing { ns, ..*facing }, wi, eta: beyond / here, boundary }
+        Self { facing: Facing { ns, ..*facing }, wi, eta: beyond / here, boundary }
     }
 }
 
@@ -46,6 +58,7 @@ impl Interface {
     }
 
     /// The part of the light that is reflected.
+    #[inline(always)]
     pub(super) fn reflectance(&self) -> f32 {
         self.boundary.reflectance as f32
     }
@@ -69,26 +82,44 @@ impl Interface {
         if self.boundary.reflectance >= 1.0 {
             return None;
         }
-        let Facing { wo, ns, .. } = self.facing;
-        // Without a boundary the way on is the way so far, to the bit.
-        let wi = match self.boundary.bend {
-            0.0 => -wo,
-            bend => -(wo.as_dvec3() + bend * ns.as_dvec3()).normalize().as_vec3(),
-        };
         Some(Scattered {
-            wi: self.facing.below(wi),
+            wi: self.through(),
             weight: Rgb::grey(self.transmittance()),
-            squeeze: (1.0 / (self.eta * self.eta)) as f32,
+            squeeze: self.squeeze(),
             pdf_w: 0.0,
             event: Event::SpecularTransmission,
         })
     }
 
-    /// One of the two, each as often as light goes there.
-    pub(super) fn sample(&self, u: f64) -> Option<Scattered> {
+    /// Where light comes from that goes through, if any does.
+    #[inline(always)]
+    fn through(&self) -> Vec3 {
+        let Facing { wo, ns, .. } = self.facing;
+        let bend = self.boundary.bend;
+        let bent = -(wo.as_dvec3() + bend * ns.as_dvec3()).normalize().as_vec3();
+        // Without a boundary the way on is the way so far, to the bit.
+        self.facing.below(Vec3::select(BVec3::splat(bend == 0.0), -wo, bent))
+    }
+
+    #[inline(always)]
+    fn squeeze(&self) -> f32 {
+        (1.0 / (self.eta * self.eta)) as f32
+    }
+
+    /// One of the two, each as often as light goes there: its direction, what it is squeezed, and
+    /// whether it is the first. Without jumps, so that a loop over it becomes vectors.
+    #[inline(always)]
+    pub(super) fn way(&self, u: f64) -> (Vec3, f32, bool) {
         let reflected = u < self.boundary.reflectance;
-        let way = if reflected { self.reflected() } else { self.refracted() };
-        way.map(|way| Scattered { weight: Rgb::ONE, ..way })
+        let wi = Vec3::select(BVec3::splat(reflected), self.wi, self.through());
+        (wi, if reflected { 1.0 } else { self.squeeze() }, reflected)
+    }
+
+    /// The same.
+    pub(super) fn sample(&self, u: f64) -> Scattered {
+        let (wi, squeeze, reflected) = self.way(u);
+        let event = if reflected { Event::SpecularReflection } else { Event::SpecularTransmission };
+        Scattered { wi, weight: Rgb::ONE, squeeze, pdf_w: 0.0, event }
     }
 }
 

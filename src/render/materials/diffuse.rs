@@ -56,8 +56,9 @@ impl Lambert {
         self.ng.dot(wi) > 0.0
     }
 
+    /// See [`super::Bsdf::side`].
     #[inline]
-    pub(super) fn side(&self) -> Vec3 {
+    pub fn side(&self) -> Vec3 {
         self.ns
     }
 

@@ -1,8 +1,9 @@
 //! How a surface is seen: its normals, turned to the side of the viewer.
 
-use glam::Vec3;
+use glam::{BVec3, Vec3};
 
 use crate::render::geometry::Hit;
+use crate::render::lanes::{LANES, Rows, get, put};
 
 /// The normals at a hit, and the viewer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +24,7 @@ const LEAST: f32 = 1e-6;
 
 impl Facing {
     /// A hit, seen from `wo`. Seen from behind, a surface is as if it were turned round.
-    #[inline]
+    #[inline(always)]
     pub fn new(hit: &Hit, wo: Vec3) -> Self {
         let front = hit.ng.dot(wo) >= 0.0;
         let side = if front { 1.0 } else { -1.0 };
@@ -33,22 +34,56 @@ impl Facing {
     /// The direction that is mirrored to the viewer, and the normal it is mirrored at: the shading
     /// normal, bent towards the geometric one just so far that the direction is above the surface,
     /// and the viewer before the normal [Keller17]. So no light is lost where interpolated normals
-    /// and the surface disagree, as they do along silhouettes.
+    /// and the surface disagree, as they do along silhouettes. Without jumps, so that a loop over it
+    /// becomes vectors.
+    #[inline(always)]
     pub fn mirrored(&self) -> (Vec3, Vec3) {
         let Self { wo, ng, ns, .. } = *self;
         let wi = (2.0 * wo.dot(ns) * ns - wo).normalize();
         let height = wi.dot(ng);
-        if height > 0.0 {
-            return (wi, ns);
-        }
-        let wi = (wi + (LEAST - height) * ng).normalize();
-        (wi, (wo + wi).normalize())
+        let above = BVec3::splat(height > 0.0);
+        let bent = (wi + (LEAST - height) * ng).normalize();
+        let between = (wo + bent).normalize();
+        (Vec3::select(above, wi, bent), Vec3::select(above, ns, between))
     }
 
     /// A direction as it is, or bent just so far that it is below the surface.
+    #[inline(always)]
     pub fn below(&self, wi: Vec3) -> Vec3 {
         let height = wi.dot(self.ng);
-        if height < 0.0 { wi } else { (wi - (LEAST + height) * self.ng).normalize() }
+        let bent = (wi - (LEAST + height) * self.ng).normalize();
+        Vec3::select(BVec3::splat(height < 0.0), wi, bent)
+    }
+}
+
+/// Surfaces, each seen by its viewer, one lane for each; without which side is seen.
+pub struct Facings {
+    wo: Rows,
+    ng: Rows,
+    ns: Rows,
+}
+
+impl Default for Facings {
+    fn default() -> Self {
+        let rows = [[0.0; LANES]; 3];
+        Self { wo: rows, ng: rows, ns: rows }
+    }
+}
+
+impl Facings {
+    /// Gives a lane its surface.
+    #[inline(always)]
+    pub fn put(&mut self, lane: usize, facing: &Facing) {
+        put(&mut self.wo, lane, facing.wo);
+        put(&mut self.ng, lane, facing.ng);
+        put(&mut self.ns, lane, facing.ns);
+    }
+
+    /// The surface of a lane, as if its front were seen.
+    #[inline(always)]
+    pub fn at(&self, lane: usize) -> Facing {
+        let (wo, ng, ns) = (get(&self.wo, lane), get(&self.ng, lane), get(&self.ns, lane));
+        Facing { wo, ng, ns, front: true }
     }
 }
 

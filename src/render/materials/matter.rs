@@ -3,10 +3,11 @@
 
 use glam::Vec3;
 
-use super::{Bsdf, Event, Facing, Lambert, Lamberts, Material, Part, Scattered, Surface, Ways};
+use super::{
+    Bsdf, Event, Facing, Lambert, Many, Material, Mingled, Part, Scattered, Scattering, Surface,
+};
 use crate::math::Rgb;
 use crate::render::geometry::Hit;
-use crate::render::samplers::Fours;
 
 /// Which materials there are in a world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,16 +26,16 @@ pub trait Matter {
     /// What a material is at a hit, seen from `wo`.
     fn at(material: &Material, hit: &Hit, wo: Vec3) -> Self::Bsdf;
 
-    /// For so many surfaces, ways on of all that they do, by numbers of theirs in [0, 1)⁴: those of
-    /// `bsdfs`, of which the diffuse parts are `lamberts`.
-    fn ways<'a>(
-        bsdfs: impl ExactSizeIterator<Item = &'a Self::Bsdf>,
-        lamberts: &Lamberts,
-        fours: &Fours,
-        ways: &mut Ways,
-    ) where
-        Self::Bsdf: 'a;
+    /// What many of them are.
+    type Many: Many;
+
+    /// Where surfaces of a material come among many: those that may scatter light to all sides first,
+    /// since they alone ask lamps. Less than [`RANKS`].
+    fn rank(material: &Material) -> usize;
 }
+
+/// How many ranks there are.
+pub const RANKS: usize = 3;
 
 /// How the surface at a hit scatters light: see the methods of [`Bsdf`].
 pub trait Scatter {
@@ -50,8 +51,6 @@ pub trait Scatter {
     fn side(&self) -> Vec3;
     /// See [`Bsdf::sample`].
     fn sample(&self, part: Part, u: [f64; 4]) -> Option<Scattered>;
-    /// See [`Bsdf::lambert_of`].
-    fn lambert_of(&self, part: Part) -> Option<(&Lambert, f32)>;
     /// See [`Bsdf::specular`].
     fn specular(&self) -> [Option<Scattered>; 2];
 }
@@ -68,14 +67,14 @@ impl Matter for Any {
         material.at(hit, wo)
     }
 
-    fn ways<'a>(
-        bsdfs: impl ExactSizeIterator<Item = &'a Bsdf>,
-        _: &Lamberts,
-        fours: &Fours,
-        ways: &mut Ways,
-    ) {
-        for (lane, bsdf) in bsdfs.enumerate() {
-            ways.put(lane, bsdf.sample(Part::All, fours.at(lane)));
+    type Many = Mingled;
+
+    #[inline(always)]
+    fn rank(material: &Material) -> usize {
+        match material.surface {
+            Surface::Diffuse(_) | Surface::Mixture(_) => 0,
+            Surface::Conductor(_) | Surface::Mirror(_) => 1,
+            Surface::Dielectric(_) => 2,
         }
     }
 }
@@ -99,13 +98,11 @@ impl Matter for OnlyDiffuse {
         }
     }
 
-    fn ways<'a>(
-        bsdfs: impl ExactSizeIterator<Item = &'a Lambert>,
-        lamberts: &Lamberts,
-        fours: &Fours,
-        ways: &mut Ways,
-    ) {
-        ways.by_cosine(bsdfs.len(), lamberts, fours);
+    type Many = Scattering;
+
+    #[inline(always)]
+    fn rank(_: &Material) -> usize {
+        0
     }
 }
 
@@ -140,11 +137,6 @@ impl Scatter for Lambert {
         if part == Part::Specular { None } else { self.sample([u[0], u[1]]) }
     }
 
-    #[inline(always)]
-    fn lambert_of(&self, part: Part) -> Option<(&Lambert, f32)> {
-        (part != Part::Specular).then_some((self, 1.0))
-    }
-
     #[inline]
     fn specular(&self) -> [Option<Scattered>; 2] {
         [None, None]
@@ -174,10 +166,6 @@ impl Scatter for Bsdf {
 
     fn sample(&self, part: Part, u: [f64; 4]) -> Option<Scattered> {
         self.sample(part, u)
-    }
-
-    fn lambert_of(&self, part: Part) -> Option<(&Lambert, f32)> {
-        self.lambert_of(part)
     }
 
     fn specular(&self) -> [Option<Scattered>; 2] {

@@ -7,10 +7,13 @@ mod conductor;
 mod dielectric;
 mod diffuse;
 mod facing;
+mod interfaces;
 mod lamberts;
+mod many;
 mod matter;
 mod mirror;
 mod mixture;
+mod reflectors;
 mod ways;
 
 #[cfg(test)]
@@ -20,7 +23,8 @@ pub use conductor::Conductor;
 pub use dielectric::{Dielectric, Interface};
 pub use diffuse::{Diffuse, Lambert};
 pub use lamberts::Lamberts;
-pub use matter::{Any, Makeup, Matter, OnlyDiffuse, Scatter};
+pub use many::{Many, Mingled, Scattering, Seen};
+pub use matter::{Any, Makeup, Matter, OnlyDiffuse, RANKS, Scatter};
 pub use mirror::{Mirror, Reflector};
 pub use mixture::{Mixed, Mixture};
 pub use ways::Ways;
@@ -162,17 +166,6 @@ impl Bsdf {
         }
     }
 
-    /// The same, with the chance by which `sample` takes it.
-    pub fn lambert_of(&self, part: Part) -> Option<(&Lambert, f32)> {
-        match (self, part) {
-            (Self::Mixed(mixed), _) if mixed.scatters() => {
-                Some((mixed.lambert(), mixed.chance(part)))
-            }
-            (Self::Lambert(lambert), Part::All | Part::Scattering) => Some((lambert, 1.0)),
-            _ => None,
-        }
-    }
-
     /// The BSDF towards the viewer of light from `wi`, times the cosine at the shading normal,
     /// in 1/sr; without specular parts.
     pub fn scattered(&self, wi: Vec3) -> Rgb {
@@ -214,14 +207,18 @@ impl Bsdf {
             (Self::Lambert(_), Part::Specular) => None,
             (Self::Lambert(lambert), _) => lambert.sample([u[0], u[1]]),
             (_, Part::Scattering) => None,
-            (Self::Interface(interface), _) => interface.sample(u[2]),
+            (Self::Interface(interface), _) => Some(interface.sample(u[2])),
             (Self::Reflector(reflector), _) => Some(reflector.reflected()),
         }
     }
 
     /// Density in solid angle with which `sample` gives a direction; without specular ones.
     pub fn pdf_w(&self, part: Part, wi: Vec3) -> f32 {
-        self.lambert_of(part).map_or(0.0, |(lambert, chance)| chance * lambert.pdf_w(wi))
+        match (self, part) {
+            (Self::Mixed(mixed), _) => mixed.chance(part) * mixed.lambert().pdf_w(wi),
+            (Self::Lambert(lambert), Part::All | Part::Scattering) => lambert.pdf_w(wi),
+            _ => 0.0,
+        }
     }
 
     /// All directions that are the only ones: each with the part of the light that goes there.

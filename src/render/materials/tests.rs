@@ -6,6 +6,9 @@ use glam::{DVec2, Vec3};
 use super::facing::tests::{above, seen};
 use super::*;
 use crate::math::{chi_squared, random};
+use crate::render::geometry::{Geometry, Owner, Ray, Shapes, Triangle};
+use crate::render::lanes::LANES;
+use crate::render::samplers::{Fours, Sampler};
 use crate::render::textures::Colour;
 
 /// One of each kind of surface, after the one that was last. The compiler asks for a new kind, and
@@ -184,6 +187,68 @@ fn light_goes_either_way_alike() {
                 assert!(off.iter().all(|off| *off < 1e-3), "{surface:?}: {way:?} {same:?}");
                 assert!((same.squeeze * way.squeeze - 1.0).abs() < 1e-5);
             }
+        }
+    }
+}
+
+/// A hit on a triangle, with other normals and materials.
+fn hits(count: usize, materials: &[Material]) -> Vec<(Hit, Vec3)> {
+    let mut shapes = Shapes::new();
+    let corners = [Vec3::NEG_ONE, Vec3::new(2.0, -1.0, -1.0), Vec3::new(-1.0, 2.0, -1.0)];
+    let corners = corners.map(|corner| shapes.vertex(corner));
+    shapes.triangle(Triangle { corners, normals: None, owner: Owner::default() });
+    let ray = Ray::new(Vec3::new(-0.5, -0.5, 2.0), Vec3::NEG_Z);
+    let hit = Geometry::build(shapes).closest(&ray).unwrap();
+    let hit = |i: u64| {
+        let (ns, wo) = (above(3 * i), above(3 * i + 1));
+        let material = random::at(9, i) as u32 % materials.len() as u32;
+        let side = if random::at(10, i).is_multiple_of(2) { 1.0 } else { -1.0 };
+        (Hit { ns, material, ..hit }, side * wo)
+    };
+    (0..count as u64).map(hit).collect()
+}
+
+#[test]
+fn many_surfaces_do_what_each_does_alone() {
+    let table = vec![Rgb::ONE, Rgb::grey(0.5), Rgb::new(0.1, 0.25, 0.5)];
+    let others = [
+        Surface::Conductor(Conductor::Table(table)),
+        Surface::Dielectric(Dielectric { inside: 1.0, outside: 1.33 }),
+        Surface::Dielectric(Dielectric { inside: 1.5, outside: 1.5 }),
+        Surface::Diffuse(Diffuse { albedo: Colour::Plain(Rgb::BLACK) }),
+        Surface::Mixture(Mixture { parts: every().skip(3).take(1).map(|it| (1.0, it)).collect() }),
+    ];
+    let emission = Emission { radiance: Rgb::BLACK, both: false };
+    let material = |surface| Material { surface, emission, before: 0, behind: None };
+    let materials: Vec<Material> = every().chain(others).map(material).collect();
+    let (mut many, mut lamberts, mut ways) =
+        (Mingled::default(), Lamberts::default(), Ways::default());
+    for count in [LANES, 1, 7, 8, 9, 100, LANES - 1] {
+        let mut hits = hits(count, &materials);
+        let of = |hit: &Hit| &materials[hit.material as usize];
+        hits.sort_by_key(|(hit, _)| Any::rank(of(hit)));
+        let mut fours = Fours::default();
+        many.clear();
+        for (lane, (hit, wo)) in hits.iter().enumerate() {
+            let seen = many.push(of(hit), hit, *wo);
+            let bsdf = of(hit).at(hit, *wo);
+            assert_eq!(seen.is_specular, bsdf.is_specular());
+            assert_eq!(seen.lambert.is_some(), bsdf.scatters().is_some());
+            let lambert = seen.lambert.as_ref().map(|it| (it, many.chance(Part::All)));
+            if let Some((lambert, chance)) = lambert {
+                let wi = above(lane as u64);
+                assert_eq!(chance * lambert.pdf_w(wi), bsdf.pdf_w(Part::All, wi));
+                assert_eq!(lambert.scattered(wi), bsdf.scattered(wi));
+            }
+            lamberts.put(lane, lambert);
+            fours.push(&mut Sampler::Independent.stream(3, count as u64, lane as u64));
+        }
+        fours.draw();
+        many.ways(&materials, &lamberts, &fours, &mut ways);
+        for (lane, (hit, wo)) in hits.iter().enumerate() {
+            let (way, some) = ways.at(lane);
+            let alone = of(hit).at(hit, *wo).sample(Part::All, fours.at(lane));
+            assert_eq!(some.then_some(way), alone, "{:?}", of(hit).surface);
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Where light goes on from many surfaces, one lane for each.
 
+use std::ops::Range;
+
 use super::{Event, Lamberts, Scattered};
 use crate::math::Rgb;
 use crate::render::lanes::{LANES, Row, Rows, by_processor, get, padded, put};
@@ -35,6 +37,50 @@ impl Ways {
     /// No others may have been there before.
     pub fn by_cosine(&mut self, count: usize, lamberts: &Lamberts, fours: &Fours) {
         by_cosine(count, lamberts, fours, self);
+    }
+
+    /// The first so many lanes are of surfaces that scatter.
+    pub(super) fn scatter(&mut self, count: usize) {
+        self.squeeze[..count].fill(1.0);
+        self.event[..count].fill(Event::DiffuseReflection);
+    }
+
+    /// Gives lanes the ways of mirrors: these, in their order.
+    pub(super) fn reflect(&mut self, lanes: Range<usize>, wi: &Rows, reflectance: &Rows) {
+        self.go_one_way(&lanes, wi);
+        for (weights, all) in self.weight.iter_mut().zip(reflectance) {
+            weights[lanes.clone()].copy_from_slice(&all[..lanes.len()]);
+        }
+        self.squeeze[lanes.clone()].fill(1.0);
+        self.event[lanes].fill(Event::SpecularReflection);
+    }
+
+    /// Gives lanes the ways of surfaces of clear matter: these, in their order.
+    pub(super) fn pass(
+        &mut self,
+        lanes: Range<usize>,
+        wi: &Rows,
+        squeeze: &Row,
+        reflected: &Row<u32>,
+    ) {
+        self.go_one_way(&lanes, wi);
+        self.weight.iter_mut().for_each(|weights| weights[lanes.clone()].fill(1.0));
+        self.squeeze[lanes.clone()].copy_from_slice(&squeeze[..lanes.len()]);
+        for (event, reflected) in self.event[lanes].iter_mut().zip(reflected) {
+            *event = match reflected {
+                0 => Event::SpecularTransmission,
+                _ => Event::SpecularReflection,
+            };
+        }
+    }
+
+    /// Of directions that are the only ones.
+    fn go_one_way(&mut self, lanes: &Range<usize>, wi: &Rows) {
+        for (directions, all) in self.wi.iter_mut().zip(wi) {
+            directions[lanes.clone()].copy_from_slice(&all[..lanes.len()]);
+        }
+        self.pdf_w[lanes.clone()].fill(0.0);
+        self.some[lanes.clone()].fill(1);
     }
 
     /// Gives a lane its way; None: nothing goes on.

@@ -19,6 +19,8 @@ use crate::render::samplers::Fours;
 /// Points that ask for light.
 pub struct Sites {
     count: usize,
+    /// The first so many ask.
+    asking: usize,
     position: Rows,
     error: Rows,
     ng: Rows,
@@ -66,6 +68,7 @@ impl Default for Sites {
         let rows = [[0.0; LANES]; 3];
         Self {
             count: 0,
+            asking: 0,
             position: rows,
             error: rows,
             ng: rows,
@@ -102,11 +105,19 @@ impl Sites {
     /// Forgets them.
     pub fn clear(&mut self) {
         self.count = 0;
+        self.asking = 0;
     }
 
     /// One more; [`LANES`] at most.
     #[inline(always)]
     pub fn push(&mut self, site: &Site) {
+        self.add(site);
+        self.asking = self.count;
+    }
+
+    /// One more that does not ask, after all that do.
+    #[inline(always)]
+    pub fn add(&mut self, site: &Site) {
         put(&mut self.position, self.count, site.point.position);
         put(&mut self.error, self.count, site.point.error);
         put(&mut self.ng, self.count, site.point.ng);
@@ -115,9 +126,9 @@ impl Sites {
         self.count += 1;
     }
 
-    /// The lanes they are in.
-    pub(super) fn lanes(&self) -> Range<usize> {
-        0..self.count
+    /// The lanes of those that ask.
+    pub fn lanes(&self) -> Range<usize> {
+        0..self.asking
     }
 
     /// Their normals, as sites have them.
@@ -221,8 +232,8 @@ impl Lights {
         !matches!(light, Some(Light::Directional(_) | Light::Point(_) | Light::Spot(_)))
     }
 
-    /// For each site, light from one point of a light, by its four numbers: of the light that is
-    /// asked, or by None of one that they choose.
+    /// For each site that asks, light from one point of a light, by its four numbers: of the light
+    /// that is asked, or by None of one that they choose.
     pub fn sample_all(
         &self,
         geometry: &Geometry,
@@ -255,7 +266,8 @@ impl Lights {
                 continue;
             }
             part.lanes.clear();
-            part.lanes.extend((lane..sites.count).filter(|&other| choices.number[other] == number));
+            part.lanes
+                .extend((lane..sites.asking).filter(|&other| choices.number[other] == number));
             part.sites.clear();
             for (nth, &lane) in part.lanes.iter().enumerate() {
                 done[lane] = true;
