@@ -178,7 +178,7 @@ impl Surfaces {
         let ng = Vec3::new(normal[0] as f32, normal[1] as f32, normal[2] as f32);
         let ns = match geometry.shapes.corner_normals(index) {
             None => ng,
-            Some(normals) => triangle::shading_normal(normal, normals, [u, v, w]),
+            Some([a, b, c]) => triangle::shading_normal(normal, [*a, *b, *c], [u, v, w]),
         };
         let position = Vec3::from_array(turned(turn, &self.position, lane));
         let weights = Vec2::new(v as f32, w as f32);

@@ -146,8 +146,8 @@ impl Standing {
     }
 
     /// Shading normals at a triangle's corners, as a copy would have them.
-    pub fn normals(&self, mesh: &Mesh, triangle: u32) -> Option<[DVec3; 3]> {
-        let turned = |i: u32| self.normal(mesh.normals[i as usize]).as_dvec3();
+    pub fn normals(&self, mesh: &Mesh, triangle: u32) -> Option<[Vec3; 3]> {
+        let turned = |i: u32| self.normal(mesh.normals[i as usize]);
         let [a, b, c] = mesh.normals_of(triangle as usize)?;
         let [b, c] = if self.mirrors { [c, b] } else { [b, c] };
         Some([turned(a), turned(b), turned(c)])

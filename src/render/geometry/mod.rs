@@ -195,6 +195,7 @@ impl Geometry {
                 let (block, lane) = (place as usize / LANES, place as usize % LANES);
                 let face = self.tree.blocks[block].face(lane);
                 let normals = self.shapes.corner_normals(primitive.index());
+                let normals = normals.map(|[a, b, c]| [*a, *b, *c]);
                 let (surface, t) = face.surface(lanes, probe, normals);
                 (surface, t, self.shapes.triangle_owners[primitive.index()])
             }

@@ -266,9 +266,13 @@ impl Shapes {
     }
 
     /// Shading normals at a triangle's corners.
-    pub(super) fn corner_normals(&self, triangle: usize) -> Option<[DVec3; 3]> {
-        let indices = *self.triangle_normals.get(triangle)?;
-        (indices != NO_NORMALS).then(|| indices.map(|i| self.normals[i as usize].as_dvec3()))
+    #[inline(always)]
+    pub(super) fn corner_normals(&self, triangle: usize) -> Option<[&Vec3; 3]> {
+        let indices @ [a, b, c] = *self.triangle_normals.get(triangle)?;
+        if indices == NO_NORMALS {
+            return None;
+        }
+        Some([&self.normals[a as usize], &self.normals[b as usize], &self.normals[c as usize]])
     }
 
     /// Every primitive, in order.

@@ -1,6 +1,6 @@
 //! Triangles, watertight [Woop13]: of two triangles that share an edge, one at least is met.
 
-use glam::{DVec3, Vec2, Vec3};
+use glam::{BVec3, DVec3, Vec2, Vec3};
 
 use super::Bounds;
 use super::lanes::{Lanes, Portable};
@@ -98,7 +98,7 @@ impl Face {
         &self,
         lanes: L,
         probe: &Probe,
-        normals: Option<[DVec3; 3]>,
+        normals: Option<[Vec3; 3]>,
     ) -> (Surface, f32) {
         // All of one sign.
         let weights = lanes.exact_abs(self.parts(lanes, probe));
@@ -133,15 +133,17 @@ impl Face {
     }
 }
 
-/// The mean of the corners' normals, on the side of the geometric one.
-pub(super) fn shading_normal(ng: [f64; 3], [a, b, c]: [DVec3; 3], [u, v, w]: [f64; 3]) -> Vec3 {
+/// The mean of the corners' normals, on the side of the geometric one. Without jumps, so that a loop
+/// over it becomes vectors.
+#[inline(always)]
+pub(super) fn shading_normal(ng: [f64; 3], [a, b, c]: [Vec3; 3], [u, v, w]: [f64; 3]) -> Vec3 {
     let ng = DVec3::from_array(ng);
-    let n = (u * a + v * b + w * c).normalize_or_zero();
-    match ng.dot(n) {
-        cos if cos > 0.0 => n.as_vec3(),
-        cos if cos < 0.0 => -n.as_vec3(),
-        _ => ng.as_vec3(),
-    }
+    let n = u * a.as_dvec3() + v * b.as_dvec3() + w * c.as_dvec3();
+    let scale = 1.0 / n.length();
+    let n = n * (if (scale > 0.0) & (scale < f64::INFINITY) { scale } else { 0.0 });
+    let cos = ng.dot(n);
+    let turned = Vec3::select(BVec3::splat(cos > 0.0), n.as_vec3(), -n.as_vec3());
+    Vec3::select(BVec3::splat((cos > 0.0) | (cos < 0.0)), turned, ng.as_vec3())
 }
 
 /// Normal by the corners' order, not of unit length.
