@@ -11,7 +11,7 @@ use crate::math::Rgb;
 use crate::render::geometry::{Hit, Meeting};
 use crate::render::lanes::{LANES, Parted};
 use crate::render::lights::{Arrivals, Site, Sites};
-use crate::render::materials::{Many, Matter, RANKS};
+use crate::render::materials::{MOST_RANKS, Many, Matter};
 
 /// The paths in flight, and what they meet in a turn. Kept from wave to wave, for its memory.
 pub struct Flight<M: Matter> {
@@ -26,7 +26,7 @@ pub struct Flight<M: Matter> {
     pub(super) meetings: Vec<Option<Meeting>>,
     pub(super) hits: Vec<Option<Hit>>,
     /// Of what was met, where light goes on, the numbers of the hits: by rank but the first.
-    pub(super) later: [Vec<u32>; RANKS - 1],
+    pub(super) later: [Vec<u32>; MOST_RANKS - 1],
     /// The surfaces, by rank.
     pub(super) surfaces: Vec<Surface>,
     /// What they do with light.
@@ -75,7 +75,7 @@ impl<M: Matter> Flight<M> {
             rays: Vec::new(),
             meetings: Vec::new(),
             hits: Vec::new(),
-            later: [const { Vec::new() }; RANKS - 1],
+            later: [const { Vec::new() }; MOST_RANKS - 1],
             surfaces: Vec::new(),
             many: M::Many::default(),
             sites: Sites::default(),

@@ -89,7 +89,8 @@ impl Path {
                 rank => later[rank - 1].push(place as u32),
             }
         }
-        for &place in later.iter().flatten() {
+        // None for matter of one rank, as the compiler is to know.
+        for &place in later[..M::RANKS - 1].iter().flatten() {
             let place = place as usize;
             let (branch, Some(hit)) = (&branches[lanes[place]], &hits[place]) else { continue };
             see(place, branch, hit, &world.materials[hit.material as usize]);

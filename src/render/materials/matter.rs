@@ -30,12 +30,15 @@ pub trait Matter {
     type Many: Many;
 
     /// Where surfaces of a material come among many: those that may scatter light to all sides first,
-    /// since they alone ask lamps. Less than [`RANKS`].
+    /// since they alone ask lamps. Less than `RANKS`.
     fn rank(material: &Material) -> usize;
+
+    /// How many ranks there are, [`MOST_RANKS`] at most.
+    const RANKS: usize;
 }
 
-/// How many ranks there are.
-pub const RANKS: usize = 3;
+/// Scattering surfaces, mirrors and metals, and clear ones.
+pub const MOST_RANKS: usize = 3;
 
 /// How the surface at a hit scatters light: see the methods of [`Bsdf`].
 pub trait Scatter {
@@ -77,6 +80,8 @@ impl Matter for Any {
             Surface::Dielectric(_) => 2,
         }
     }
+
+    const RANKS: usize = MOST_RANKS;
 }
 
 /// Diffuse surfaces alone.
@@ -104,6 +109,8 @@ impl Matter for OnlyDiffuse {
     fn rank(_: &Material) -> usize {
         0
     }
+
+    const RANKS: usize = 1;
 }
 
 impl Scatter for Lambert {

@@ -24,7 +24,7 @@ pub use dielectric::{Dielectric, Interface};
 pub use diffuse::{Diffuse, Lambert};
 pub use lamberts::Lamberts;
 pub use many::{Many, Mingled, Scattering, Seen};
-pub use matter::{Any, Makeup, Matter, OnlyDiffuse, RANKS, Scatter};
+pub use matter::{Any, MOST_RANKS, Makeup, Matter, OnlyDiffuse, Scatter};
 pub use mirror::{Mirror, Reflector};
 pub use mixture::{Mixed, Mixture};
 pub use ways::Ways;
