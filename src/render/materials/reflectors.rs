@@ -67,7 +67,7 @@ impl Reflectors {
     /// Their ways, from lane `first` on. How many there are.
     pub fn ways(&mut self, materials: &[Material], first: usize, ways: &mut Ways) -> usize {
         if self.count > 0 {
-            mirrored(self.count, &self.seen, &mut self.wi, &mut self.cos);
+            mirrored(self.count, self);
             self.ask_metals(materials);
             ways.reflect(first..first + self.count, &self.wi, &self.reflectance);
         }
@@ -103,12 +103,12 @@ impl Reflectors {
 
 by_processor! {
     #[inline(never)]
-    fn mirrored(count: usize, seen: &Facings, directions: &mut Rows, cos: &mut Row) {
+    fn mirrored(count: usize, all: &mut Reflectors) {
         for lane in 0..padded(count) {
-            let facing = seen.at(lane);
+            let facing = all.seen.at(lane);
             let (wi, ns) = facing.mirrored();
-            put(directions, lane, wi);
-            cos[lane] = Conductor::cosine(&facing, ns);
+            put(&mut all.wi, lane, wi);
+            all.cos[lane] = Conductor::cosine(&facing, ns);
         }
     }
 }
