@@ -4,7 +4,7 @@ use super::instances::{self, Copies};
 use super::survey::Survey;
 use crate::diag::Span;
 use crate::load::Stage;
-use crate::scene::Integrator;
+use crate::scene::{Guide, Integrator};
 
 /// Something that the renderer does only where it has to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,13 +25,15 @@ pub enum Feature {
     Bodies,
     /// Surfaces of any material, not diffuse ones alone.
     Materials,
+    /// Photons are sent before the picture, to tell paths where light comes from.
+    Guide,
     /// For each path of light, to which layer it belongs, or whether it is shown at all.
     Paths,
 }
 
 impl Feature {
     /// All of them, in the order in which they are told.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Lights,
         Self::ShadowRays,
         Self::LampPoints,
@@ -40,6 +42,7 @@ impl Feature {
         Self::Coordinates,
         Self::Bodies,
         Self::Materials,
+        Self::Guide,
         Self::Paths,
     ];
 
@@ -54,6 +57,7 @@ impl Feature {
             Self::Coordinates => "coordinates",
             Self::Bodies => "bodies",
             Self::Materials => "materials",
+            Self::Guide => "guide",
             Self::Paths => "paths",
         }
     }
@@ -69,6 +73,7 @@ impl Feature {
             Self::Coordinates => "texture coordinates",
             Self::Bodies => "bodies of matter",
             Self::Materials => "materials of any kind",
+            Self::Guide => "photons that guide paths",
             Self::Paths => "paths told apart",
         }
     }
@@ -130,6 +135,7 @@ impl Plan {
                 Feature::Coordinates => asked.coordinates(),
                 Feature::Bodies => asked.bodies(),
                 Feature::Materials => asked.materials(),
+                Feature::Guide => asked.guide(),
                 Feature::Paths => paths(stage, integrator),
             };
             Answer { feature, need, why, at }
@@ -279,6 +285,29 @@ impl Asked<'_> {
         let (material, name) = (&surface.material.name, &surface.object.name);
         let why = format!("`{}` on `{}` is not simply diffuse", **material, **name);
         (Need::Required, why, Some(name.span))
+    }
+}
+
+impl Asked<'_> {
+    /// What a guide is for: light that goes from a lamp or a sun by a mirror to what scatters it.
+    fn guide(&self) -> Reason {
+        let unneeded = |why: &str| (Need::Unneeded, why.to_string(), None);
+        let guide = match self.integrator {
+            Integrator::Path(path) if path.guide.value == Guide::Photons => &path.guide,
+            _ => return unneeded("no `guide: photons`"),
+        };
+        let Some(mirror) = self.survey.specular() else {
+            return unneeded("no surface mirrors or refracts");
+        };
+        let lamp = self.survey.lamp().map(|lamp| &lamp.object.name);
+        let Some(light) = lamp.or_else(|| self.survey.discs.first().map(|sun| &sun.name)) else {
+            return unneeded("no light has an extent and a place of its own");
+        };
+        if self.survey.brightest().is_none() {
+            return unneeded("no surface scatters light");
+        }
+        let why = format!("light of `{}` may come by way of `{}`", **light, *mirror.object.name);
+        (Need::Required, why, Some(guide.span))
     }
 }
 

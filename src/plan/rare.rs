@@ -12,7 +12,7 @@ use crate::bodies::{self, Body, Placed};
 use crate::diag::words::grouped;
 use crate::load::Stage;
 use crate::math::Bounds;
-use crate::scene::{At, Integrator, Light, SunForm};
+use crate::scene::{At, Guide, Integrator, Light, SunForm};
 
 /// Of lights that fill less, in steradians, fewer than one path of 15,000 finds one: the sun fills
 /// 6.8e-5.
@@ -20,7 +20,11 @@ const RARE: f64 = 2e-4;
 
 /// One for each such light.
 pub(super) fn biases(stage: &Stage, survey: &Survey, integrator: &At<Integrator>) -> Vec<Bias> {
-    let Integrator::Path(_) = &integrator.value else { return Vec::new() };
+    let Integrator::Path(path) = &integrator.value else { return Vec::new() };
+    // Photons find what paths do not.
+    if path.guide.value == Guide::Photons {
+        return Vec::new();
+    }
     let mirrors = survey.mirrors();
     let (Some(by), Some(lit)) = (mirrors.first(), survey.brightest()) else { return Vec::new() };
     let bias = |(name, is_sun, fills): (&At<String>, bool, f64)| {
@@ -42,11 +46,13 @@ pub(super) fn biases(stage: &Stage, survey: &Survey, integrator: &At<Integrator>
             bound: None,
             instead_write: match is_sun {
                 true => {
-                    "give the sun a larger `half_angle`, which makes its caustics softer and easier \
+                    "write `guide: photons` in `path`, which sends paths to where this light comes \
+                     from; give the sun a larger `half_angle`, which makes its caustics softer and easier \
                      to find; or render until they are smooth"
                 }
                 false => {
-                    "make the lamp larger and dimmer, which makes its caustics softer and easier to \
+                    "write `guide: photons` in `path`, which sends paths to where this light comes \
+                     from; make the lamp larger and dimmer, which makes its caustics softer and easier to \
                      find; or render until they are smooth"
                 }
             },

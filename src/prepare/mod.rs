@@ -27,6 +27,7 @@ use crate::math::paths::Automaton;
 use crate::math::{NoProgress, Progress};
 use crate::plan::{Feature, Plan};
 use crate::render::geometry::Geometry;
+use crate::render::guide::Guide;
 use crate::render::integrators::Integrator;
 use crate::render::materials::Makeup;
 use crate::render::media::Medium;
@@ -290,6 +291,10 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         bytes_of_copies: bytes - kept_once + as_copies,
         texture_bytes: textures::bytes(stage),
     };
+    let guide = plan
+        .builds(Feature::Guide)
+        .then(|| Guide::build(&geometry, &parts.materials.all, &lights))
+        .flatten();
     Prepared {
         objects: stage.scene.objects.iter().zip(&objects).map(note).collect(),
         summary,
@@ -297,7 +302,6 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         scale: parts.space.length(1.0),
         centre: parts.space.centre(),
         world: World {
-            geometry,
             materials: parts.materials.all,
             media: parts.media,
             overlaps: parts.materials.overlaps,
@@ -306,6 +310,8 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
                 true => Makeup::Any,
                 false => Makeup::Diffuse,
             },
+            guide,
+            geometry,
             lights,
             camera: parts.camera,
             film: parts.film,

@@ -1,6 +1,6 @@
 //! World → samples. Knows light, not words. Cannot fail, cannot read, cannot print.
 //!
-//! Inside: integrators → {world film samplers tiles} → {cameras lights materials} →
+//! Inside: integrators → {world film samplers tiles} → guide → {cameras lights materials} →
 //! {textures geometry}.
 
 mod lanes;
@@ -10,6 +10,7 @@ mod world;
 pub mod film;
 pub mod samplers;
 pub mod cameras;
+pub mod guide;
 pub mod lights;
 pub mod materials;
 pub mod media;

@@ -235,6 +235,7 @@ mod tests {
             camera_medium: 0,
             makeup: Makeup::Any,
             lights: Lights::default(),
+            guide: None,
             camera: Camera::Perspective(eye),
             film: Film {
                 size,

@@ -3,6 +3,7 @@
 use super::cameras::Camera;
 use super::film::Film;
 use super::geometry::Geometry;
+use super::guide::Guide;
 use super::lights::Lights;
 use super::materials::{Makeup, Material};
 use super::media::Medium;
@@ -27,6 +28,8 @@ pub struct World {
     pub camera_medium: u32,
     /// What shines.
     pub lights: Lights,
+    /// Directions in which paths look for light beside those of the surfaces themselves, if any.
+    pub guide: Option<Guide>,
     /// Where the picture is taken from.
     pub camera: Camera,
     /// What the light becomes.

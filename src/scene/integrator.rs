@@ -75,6 +75,9 @@ vocabulary! {
             roulette: Roulette = "throughput";
             /// Scatterings before paths may be ended by `roulette`.
             roulette_after: Count = "3", Range::between(0.0, 1e6);
+            /// Where paths look for light beside the directions that surfaces scatter it from: the
+            /// noise changes, the picture does not.
+            guide: Guide = "off";
             /// How often light may be scattered. Light from a lamp to a surface to the camera was
             /// scattered once.
             depth: Depth = "unlimited", Range::between(0.0, 1e6);
@@ -112,6 +115,17 @@ vocabulary! {
         "luminance" => Luminance
         /// The largest channel of what the path would still bring of light, at most 1.
         "throughput" => Throughput
+    }
+}
+
+vocabulary! {
+    /// Where paths look for light beside what the surfaces say.
+    pub words Guide: "guide" {
+        /// Nowhere.
+        "off" => Off
+        /// Where the light of lamps and suns comes from that photons, sent from them beforehand, found
+        /// to reach surfaces by way of mirrors, glass and metal.
+        "photons" => Photons
     }
 }
 

@@ -28,7 +28,9 @@ mod whole;
 pub use at::At;
 pub use camera::{Camera, Overview, Perspective};
 pub use film::{BoxFilter, Film, Filter, Gaussian, Mitchell, Tent};
-pub use integrator::{Ambient, AreaLights, Direct, Integrator, Path, Preview, Roulette, Splits};
+pub use integrator::{
+    Ambient, AreaLights, Direct, Guide, Integrator, Path, Preview, Roulette, Splits,
+};
 pub use layer::{Layer, PathsLayer};
 pub use light::{
     Constant, Directional, Light, NoSun, PointLight, Preetham, Shine, SpotLight, SunDirection,

@@ -3,9 +3,11 @@
 use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::{Shot, everywhere};
-use crate::scene::{Integrator, Roulette};
+use crate::scene::{Guide, Integrator, Light, Roulette, Scene, SunForm};
 
 const DIRECT: &str = "It speaks of lights that surfaces ask; `direct: off` asks none.";
+const GUIDE: &str = "It speaks of light that lamps or the sun's disc send by mirrors, glass and \
+                     metal to what scatters it; here is none.";
 const LAMPS: &str =
     "It chooses points of lamps, which are objects with an emission; here are none.";
 const MIRRORS: &str = "It speaks of rays that go on by mirrors, glass and metal; here are none.";
@@ -43,6 +45,8 @@ pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
                 said(path.light_samples.span, asks, "light_samples", NEXT_EVENT);
                 let ends = path.roulette.value != Roulette::Off;
                 said(path.roulette_after.span, ends, "roulette_after", ROULETTE);
+                let caustics = mirrors && (lamps || suns(scene));
+                said(path.guide.span, caustics || path.guide.value == Guide::Off, "guide", GUIDE);
             }
             Integrator::Preview(_) => {}
         }
@@ -58,6 +62,14 @@ pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
         };
         places.into_iter().map(told).collect()
     }));
+}
+
+/// Whether the sun of a sky is a disc.
+fn suns(scene: &Scene) -> bool {
+    scene.lights.iter().any(|light| match &light.value.value {
+        Light::Preetham(sky) => matches!(*sky.sun, SunForm::SunDisc(_)),
+        _ => false,
+    })
 }
 
 fn ignored(field: &str, why: &str, at: Span) -> Diagnostic {

@@ -49,8 +49,9 @@ pub(super) struct Branch {
     pub ray: Ray,
     /// What one unit of radiance along the ray brings to the camera.
     pub throughput: Rgb,
-    /// The part of the throughput that is due to radiance being squeezed into less solid angle in
-    /// matter of a higher index; it comes back when light leaves.
+    /// The part of the throughput that roulette does not count: radiance is squeezed into less solid
+    /// angle in matter of a higher index, and comes back when light leaves; and where paths are sent
+    /// for more light than elsewhere, each counts less.
     pub squeeze: f32,
     pub trail: Trail,
     /// Where the ray comes from.

@@ -4,6 +4,7 @@
 mod carrier;
 mod direct;
 mod flight;
+mod guided;
 mod lighting;
 mod lit;
 mod path;

@@ -5,6 +5,7 @@ use glam::Vec3;
 
 use super::carrier::Branch;
 use super::flight::{Flight, Surface};
+use super::guided;
 use super::path::Path;
 use super::{Source, Wave};
 use crate::math::paths::Event;
@@ -174,6 +175,9 @@ impl Path {
         wave.fours.draw();
         let materials = &wave.world.materials;
         many.ways(materials, &lit.lamberts, &wave.fours, &mut turns.ways);
+        if let Some(guide) = &wave.world.guide {
+            guided::ways(guide, (sites, &lit.lamberts), &wave.fours, &mut turns.ways);
+        }
         turns.decide(count, self.roulette, sites, &wave.fours);
         let [going, ended] =
             parted.by(count, |nth| turns.goes_on(nth) & !surfaces[nth].split.is_any());

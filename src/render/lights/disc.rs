@@ -43,8 +43,12 @@ impl Disc {
 
     /// About the irradiance it gives.
     pub(super) fn gives(&self) -> Gives {
-        let irradiance = f64::from(self.radiance.luminance() / self.pdf_w);
-        Gives::from(self.towards, irradiance, f64::from(self.half_angle.sin()))
+        Gives::from(self.towards, self.irradiance(), f64::from(self.half_angle.sin()))
+    }
+
+    /// About the irradiance, of luminance, on a surface square to its centre.
+    pub(super) fn irradiance(&self) -> f64 {
+        f64::from(self.radiance.luminance() / self.pdf_w)
     }
 
     /// Radiance from a direction.

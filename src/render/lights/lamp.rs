@@ -66,6 +66,16 @@ impl Lamp {
         self.area
     }
 
+    /// Its radiance, in light units.
+    pub(super) fn radiance(&self) -> Rgb {
+        self.radiance
+    }
+
+    /// All its surfaces.
+    pub(super) fn surfaces(&self) -> impl Iterator<Item = Primitive> {
+        self.numbers.iter().map(|(primitive, _)| *primitive)
+    }
+
     /// What bounds it.
     pub(super) fn emitter(&self) -> Emitter {
         self.emitter

@@ -73,7 +73,12 @@ impl Lambert {
     #[inline(always)]
     pub(super) fn way(&self, u: [f64; 2]) -> (Scattered, bool) {
         let u = Vec2::new(random::unit_f32(u[0]), random::unit_f32(u[1]));
-        let wi = warp::about(self.ns, warp::square_to_cosine(u));
+        self.towards(warp::about(self.ns, warp::square_to_cosine(u)))
+    }
+
+    /// A direction as if the cosine had chosen it, and whether light goes there.
+    #[inline(always)]
+    pub fn towards(&self, wi: Vec3) -> (Scattered, bool) {
         let (weight, pdf_w) = (self.albedo, self.pdf_w(wi));
         let some = (pdf_w > 0.0) & self.faces(wi) & !weight.is_black();
         (Scattered { wi, weight, squeeze: 1.0, pdf_w, event: Event::DiffuseReflection }, some)

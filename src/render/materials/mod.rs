@@ -147,8 +147,9 @@ pub struct Scattered {
     /// The BSDF times the cosine over the density of the direction; of a direction that is the
     /// only one, the part of the light that goes there over the probability of the choice.
     pub weight: Rgb,
-    /// Factor of radiance that comes from matter of another index, which has it squeezed into
-    /// less solid angle; the weight lacks it.
+    /// A factor that the weight lacks, and roulette is not to count: of radiance that comes from matter
+    /// of another index, which has it squeezed into less solid angle; of a way that more paths are
+    /// sent than the surface would.
     pub squeeze: f32,
     /// Density in solid angle; 0 of a direction that is the only one.
     pub pdf_w: f32,
