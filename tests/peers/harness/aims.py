@@ -1,5 +1,6 @@
 """What scn is to reach, and what it does: ratios to peers in the same run, by the clock."""
 
+from .renders import GUIDED
 from .rows import median, ratio, rows
 
 
@@ -33,9 +34,10 @@ def of_renders(data):
                 if other in found:
                     yield (f"{scene}, samples a second, × {other}'s",
                            least, True, found["scn"].rate / found[other].rate)
-        if peer in found:
-            yield (f"{scene}, time to .01, × {peer}'s",
-                   most, False, found["scn"].to_goal / found[peer].to_goal)
+        for ours in ("scn", GUIDED):
+            if peer in found and ours in found:
+                yield (f"{scene}, time to .01 by {ours}, × {peer}'s",
+                       most, False, found[ours].to_goal / found[peer].to_goal)
 
 
 def of_scn(data):

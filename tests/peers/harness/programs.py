@@ -30,6 +30,9 @@ class Picture:
     peak: int | None
 
 
+# What makes scn guide paths by photons.
+GUIDE = ["--set", "integrator.guide=photons"]
+
 # How often a program that runs is asked for its memory, in seconds.
 WATCH = 0.002
 
@@ -72,13 +75,17 @@ class Scn:
         return [self.binary, "render", SCENES, "--only", name, "-o", folder, "--log", "json",
                 "--seed", str(seed), "--samples", str(samples), "--scale", repr(size / 512), *more]
 
-    def render(self, name, samples, seed, size, *more):
+    def render(self, name, samples, seed, size, *more, counted=("rendered",)):
         with tempfile.TemporaryDirectory() as folder:
             out, _, cpu, peak = run(self.command(folder, name, samples, seed, size, *more))
             events = [json.loads(line) for line in out.splitlines()]
-            wall = next(e["seconds"] for e in events if e["event"] == "rendered")
+            wall = sum(e["seconds"] for e in events if e["event"] in counted)
             values = pictures.read(Path(folder) / f"{name}.exr")
         return Picture(values, samples, wall, cpu, peak)
+
+    def guided(self, name, samples, seed, size):
+        """With photons that guide paths; the seconds of sending them count."""
+        return self.render(name, samples, seed, size, *GUIDE, counted=("built", "rendered"))
 
     def pictures(self, names, samples):
         """Renders of scenes.scn by their names."""

@@ -7,7 +7,7 @@ from .rows import ratio, rows
 
 BEGIN, END = "<!-- peers: begin -->", "<!-- peers: end -->"
 PLOT = "pictures/peers.svg"
-NAMES = {"scn": "scn", "mitsuba llvm": "Mitsuba llvm", "mitsuba scalar": "Mitsuba scalar",
+NAMES = {"scn": "scn", "scn guided": "scn, guided by photons", "mitsuba llvm": "Mitsuba llvm", "mitsuba scalar": "Mitsuba scalar",
          "cycles": "Cycles", "luxcore": "LuxCore"}
 
 
@@ -122,7 +122,7 @@ def plot(data, path):
     matplotlib.use("svg")
     from matplotlib import pyplot
     pyplot.rcParams["svg.hashsalt"] = "peers"
-    colours = dict(zip(NAMES, ["#1b6ca8", "#d1495b", "#e8a0a8", "#8d99ae", "#c9b458"]))
+    colours = dict(zip(NAMES, ["#1b6ca8", "#7fb8de", "#d1495b", "#e8a0a8", "#8d99ae", "#c9b458"]))
     figure_, axes = pyplot.subplots(figsize=(8, 3.6))
     seen, at, ticks = set(), 0.0, []
     for scene in data["renders"]:

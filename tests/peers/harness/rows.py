@@ -2,7 +2,7 @@
 
 import statistics as middle
 
-from .renders import GOAL
+from .renders import GOAL, GUIDED
 from .statistics import mean_error
 
 
@@ -17,12 +17,15 @@ class Row:
     def __init__(self, data, scene, program):
         self.program = program
         runs = data["renders"][scene]["runs"][program]
-        starts = data.get("start", {}).get(scene, {}).get(program, [])
+        starts = data.get("start", {}).get(scene, {})
+        # What is no rendering: the same guided or not.
+        alone = starts.get("scn", [])
+        starts = starts.get(program, [])
         self.start = median(run["wall"] for run in starts)
         self.memory = median(run["peak"] for run in starts if run["peak"])
         self.samples = runs[0]["samples"]
         wall = [run["wall"] for run in runs]
-        cpu = [self.rendering(run, starts) for run in runs]
+        cpu = [self.rendering(run, alone) for run in runs]
         million = [run["samples"] * data["size"] ** 2 / 1e6 for run in runs]
         self.rate = median(of / seconds for of, seconds in zip(million, wall))
         self.rate_cpu = median(of / seconds for of, seconds in zip(million, cpu))
@@ -34,7 +37,7 @@ class Row:
     def rendering(self, run, starts):
         """The processor's seconds of rendering alone. Scn's are a whole process's: what one that
         renders a single sample needs is taken off."""
-        if self.program != "scn" or run["samples"] < 2 or not starts:
+        if self.program not in ("scn", GUIDED) or run["samples"] < 2 or not starts:
             return run["cpu"]
         one = median(start["cpu"] for start in starts)
         share = run["samples"] / (run["samples"] - 1)
