@@ -132,7 +132,7 @@ by_processor! {
     /// The density of each lobe.
     #[inline]
     fn densities(lobes: &Lobes, from: Vec3, wi: Vec3, each: &mut [f32; MOST]) {
-        for lobe in 0..MOST {
+        for (lobe, each) in each.iter_mut().enumerate() {
             let x = lobes.x[lobe] - from.x;
             let y = lobes.y[lobe] - from.y;
             let z = lobes.z[lobe] - from.z;
@@ -142,7 +142,7 @@ by_processor! {
             let y = y / length - wi.y;
             let z = z / length - wi.z;
             let apart = 0.5 * (x * x + y * y + z * z) + lobes.width[lobe];
-            each[lobe] = lobes.scale[lobe] / (apart * apart);
+            *each = lobes.scale[lobe] / (apart * apart);
         }
     }
 }
