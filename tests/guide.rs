@@ -66,7 +66,8 @@ fn a_guide_changes_the_noise_and_not_the_picture() {
 
 #[test]
 fn whatever_else_paths_do_a_guide_does_not_change_the_picture() {
-    let changes: [(&str, fn(&mut scene::Path)); 4] = [
+    type Change = fn(&mut scene::Path);
+    let changes: [(&str, Change); 4] = [
         ("no lights asked", |it| it.next_event = at(scene::Switch(false))),
         ("not weighed", |it| it.mis = at(scene::Switch(false))),
         ("splits", |it| it.splits = at(by_hand::splits(1, 1, 3))),
