@@ -4,7 +4,7 @@ use super::instances::{self, Copies};
 use super::survey::Survey;
 use crate::diag::Span;
 use crate::load::Stage;
-use crate::scene::{Guide, Integrator};
+use crate::scene::Integrator;
 
 /// Something that the renderer does only where it has to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -293,7 +293,7 @@ impl Asked<'_> {
     fn guide(&self) -> Reason {
         let unneeded = |why: &str| (Need::Unneeded, why.to_string(), None);
         let guide = match self.integrator {
-            Integrator::Path(path) if path.guide.value == Guide::Photons => &path.guide,
+            Integrator::Path(path) if self.integrator.is_guided() => &path.guide,
             _ => return unneeded("no `guide: photons`"),
         };
         let Some(mirror) = self.survey.specular() else {

@@ -12,7 +12,7 @@ use crate::bodies::{self, Body, Placed};
 use crate::diag::words::grouped;
 use crate::load::Stage;
 use crate::math::Bounds;
-use crate::scene::{At, Guide, Integrator, Light, SunForm};
+use crate::scene::{At, Integrator, Light, SunForm};
 
 /// Of lights that fill less, in steradians, fewer than one path of 15,000 finds one: the sun fills
 /// 6.8e-5.
@@ -20,9 +20,8 @@ const RARE: f64 = 2e-4;
 
 /// One for each such light.
 pub(super) fn biases(stage: &Stage, survey: &Survey, integrator: &At<Integrator>) -> Vec<Bias> {
-    let Integrator::Path(path) = &integrator.value else { return Vec::new() };
     // Photons find what paths do not.
-    if path.guide.value == Guide::Photons {
+    if !matches!(integrator.value, Integrator::Path(_)) || integrator.is_guided() {
         return Vec::new();
     }
     let mirrors = survey.mirrors();

@@ -291,8 +291,7 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         bytes_of_copies: bytes - kept_once + as_copies,
         texture_bytes: textures::bytes(stage),
     };
-    let guide = plan
-        .builds(Feature::Guide)
+    let guide = (stage.scene.integrator.is_guided() && plan.builds(Feature::Guide))
         .then(|| Guide::build(&geometry, &parts.materials.all, &lights))
         .flatten();
     Prepared {

@@ -141,6 +141,11 @@ vocabulary! {
 }
 
 impl Integrator {
+    /// Whether photons are asked for, to tell paths where light comes from.
+    pub fn is_guided(&self) -> bool {
+        matches!(self, Self::Path(path) if path.guide.value == Guide::Photons)
+    }
+
     /// Whether any light is followed.
     pub fn follows_light(&self) -> bool {
         !matches!(self, Self::Preview(_))

@@ -11,7 +11,8 @@ use crate::{APART, mapped, tracer};
 /// The field, what is said of it, and how.
 type Change<T> = (&'static str, &'static str, fn(&mut T));
 
-const PATH: [Change<scene::Path>; 21] = [
+const PATH: [Change<scene::Path>; 22] = [
+    ("guide", "photons", |it| it.guide = at(scene::Guide::Photons)),
     ("mis", "off", |it| it.mis.value.0 = false),
     ("next_event", "off", |it| it.next_event.value.0 = false),
     ("lights", "2", |it| it.lights = at(Some(LightCount::Chosen(2)))),
