@@ -88,6 +88,27 @@ fn whatever_else_paths_do_a_guide_does_not_change_the_picture() {
     }
 }
 
+/// The lamp is large, so that there is little noise: a hundredth of the light would show.
+#[test]
+fn none_of_the_light_is_lost_by_a_guide() {
+    let of = |guide, seeds| {
+        let tracer = scene::Path { guide: at(guide), ..path() };
+        let hand = ball(guide, "silver").quad(
+            dvec3(0.0, 2.5, 0.0),
+            DVec3::X * 2.0,
+            DVec3::Z * 2.0,
+            "lamp",
+        );
+        moments(hand.integrator(Integrator::Path(tracer)), 64, seeds).0
+    };
+    let (plain, guided) = (of(Guide::Off, 0..20), of(Guide::Photons, 100..120));
+    let (z, ..) = welch(&plain, &guided);
+    assert!(z.abs() < 4.0, "{z}, {plain:?}, {guided:?}");
+    for moments in [plain, guided] {
+        assert!(moments.standard_error() < 2e-3 * moments.mean(), "{moments:?}");
+    }
+}
+
 #[test]
 fn a_guide_is_the_same_for_any_number_of_threads_and_anywhere() {
     let run = |threads, hand: Hand| {
