@@ -11,12 +11,12 @@ use crate::bodies::Placed;
 use crate::diag::{Diagnostic, Span};
 use crate::load::Stage;
 use crate::optics::colour;
-use crate::plan::{self, Feature, Plan};
+use crate::plan;
 use crate::render::geometry::{Geometry, Owner, Primitive};
 use crate::render::lights::{
     Centre, Directional, Lamp, Light, Lights, PointLight, Sight, SpotLight, Surroundings,
 };
-use crate::scene::{self, At, Scene};
+use crate::scene::{self, At, Integrator, Scene};
 
 /// Everything that shines without being a surface.
 #[derive(Default)]
@@ -223,16 +223,15 @@ impl LampParts {
     }
 }
 
-/// All lights as render knows them; those that nobody asks are only seen.
+/// All lights as render knows them. Where nothing `asks`, neither surfaces for light nor photons for
+/// where they begin, they are only seen.
 pub(super) fn gather(
     plain: Plain,
     lamps: Vec<LampParts>,
     (geometry, materials): (&Geometry, &materials::Table),
-    (stage, plan): (&Stage, &Plan),
+    (integrator, asks): (&Integrator, bool),
     light_unit: f64,
 ) -> Lights {
-    let integrator = &stage.scene.integrator.value;
-    let asks = plan.builds(Feature::Lights);
     let mut all = Vec::new();
     let mut of_materials = vec![Lights::NONE; materials.all.len()];
     // What is seen, and whether it is asked for: a sun as every light.

@@ -252,11 +252,12 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
     let geometry = Geometry::build(shapes)
         .with_coordinates(plan.builds(Feature::Coordinates))
         .with_portable(settings.portable);
+    let guides = stage.scene.integrator.is_guided() && plan.builds(Feature::Guide);
     let lights = lights::gather(
         parts.lights,
         lamps,
         (&geometry, &parts.materials),
-        (stage, plan),
+        (&stage.scene.integrator, plan.builds(Feature::Lights) || guides),
         parts.light_unit,
     );
     let triangles: u64 = objects.iter().map(|object| object.triangles).sum();
@@ -291,9 +292,7 @@ fn build(stage: &Stage, settings: &Settings, plan: &Plan, parts: Parts) -> Prepa
         bytes_of_copies: bytes - kept_once + as_copies,
         texture_bytes: textures::bytes(stage),
     };
-    let guide = (stage.scene.integrator.is_guided() && plan.builds(Feature::Guide))
-        .then(|| Guide::build(&geometry, &parts.materials.all, &lights))
-        .flatten();
+    let guide = guides.then(|| Guide::build(&geometry, &parts.materials.all, &lights)).flatten();
     Prepared {
         objects: stage.scene.objects.iter().zip(&objects).map(note).collect(),
         summary,
