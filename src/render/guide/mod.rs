@@ -7,7 +7,7 @@
 //! however wrong it is. It depends on the world alone: not on the seed, the film, or threads.
 
 mod lobes;
-mod photons;
+pub(super) mod photons;
 
 pub use lobes::Lobes;
 
@@ -65,7 +65,7 @@ impl Guide {
     }
 
     /// Of photons, where so many on an area are what all that were sent would be, spread evenly.
-    fn of(photons: &mut [Photon], even: f32) -> Option<Self> {
+    pub(super) fn of(photons: &mut [Photon], even: f32) -> Option<Self> {
         if photons.is_empty() || !even.is_finite() {
             return None;
         }

@@ -9,7 +9,7 @@ use crate::render::materials::{Material, Part};
 
 /// Where a photon landed on a surface that scatters.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Photon {
+pub(in crate::render) struct Photon {
     pub at: Vec3,
     /// The last place before it, on a mirror or on glass.
     pub from: Vec3,

@@ -60,3 +60,96 @@ fn way(
     let less = way.pdf_w / mixed;
     Some(Scattered { weight: way.weight * less.max(1.0), squeeze: less.min(1.0), ..way })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{Rgb, random};
+    use crate::render::geometry::{Geometry, Owner, Ray, Shapes, Triangle};
+    use crate::render::guide::photons::Photon;
+    use crate::render::materials::{
+        Diffuse, Emission, Material, Matter, OnlyDiffuse, Part, Scatter, Surface,
+    };
+    use crate::render::textures::Colour;
+
+    /// A place on a floor about the origin, with a shading normal so many degrees from +z.
+    fn floor(albedo: Rgb, degrees: f32) -> (Vec3, Lambert) {
+        let mut shapes = Shapes::new();
+        let corners = [Vec3::NEG_ONE, Vec3::new(2.0, -1.0, -1.0), Vec3::new(-1.0, 2.0, -1.0)]
+            .map(|corner| shapes.vertex(corner.with_z(0.0)));
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let normal = shapes.normal(Vec3::new(sin, 0.0, cos));
+        shapes.triangle(Triangle { corners, normals: Some([normal; 3]), owner: Owner::default() });
+        let down = Ray::new(Vec3::new(-0.3, -0.2, 2.0), Vec3::NEG_Z);
+        let hit = Geometry::build(shapes).closest(&down).unwrap();
+        let material = Material {
+            surface: Surface::Diffuse(Diffuse { albedo: Colour::Plain(albedo) }),
+            emission: Emission { radiance: Rgb::BLACK, both: false },
+            before: 0,
+            behind: None,
+        };
+        (hit.position, OnlyDiffuse::at(&material, &hit, Vec3::Z))
+    }
+
+    /// A guide of photons that came by places about `middle`, in a cube with sides of `spread`.
+    fn guide(middle: Vec3, spread: f32, even: f32) -> Guide {
+        let photon = |i| {
+            let [a, b] = random::unit_pair(random::at(61, i));
+            let [c, d] = random::unit_pair(random::at(62, i));
+            let [e, _] = random::unit_pair(random::at(63, i));
+            let within = Vec3::new(c as f32, d as f32, e as f32) - 0.5;
+            let at = Vec3::new(-0.4 + 0.2 * a as f32, -0.3 + 0.2 * b as f32, 0.0);
+            Photon { at, from: middle + spread * within }
+        };
+        let mut photons: Vec<Photon> = (0..32).map(photon).collect();
+        Guide::of(&mut photons, even).unwrap()
+    }
+
+    /// As much of even light goes on as without a guide: the albedo, or, where the normals are an
+    /// angle δ apart, (1 + cos δ)/2 of it. A fiftieth less would show.
+    #[test]
+    fn of_even_light_a_guide_takes_and_adds_nothing() {
+        const COUNT: u64 = 200_000;
+        let up = Vec3::new(0.2, 0.1, 0.6);
+        // Photons from above, from all around above and below, and none from above; many and few.
+        let guides = [
+            guide(up, 0.2, 1e-3),
+            guide(up, 0.02, 1e6),
+            guide(Vec3::ZERO, 1.5, 1e-3),
+            guide(-up, 0.3, 1e-3),
+        ];
+        let surfaces =
+            [(Rgb::ONE, 0.0), (Rgb::new(0.9, 0.5, 0.1), 0.0), (Rgb::grey(0.8), 25.0_f32)];
+        for (nth, guide) in guides.iter().enumerate() {
+            for (albedo, degrees) in surfaces {
+                let (place, lambert) = floor(albedo, degrees);
+                let lobes = guide.lobes(guide.leaf(place), place).unwrap();
+                let (mut sum, mut squares) = ([0.0; 3], [0.0; 3]);
+                for i in 0..COUNT {
+                    let [a, b] = random::unit_pair(random::at(64, i));
+                    let [c, d] = random::unit_pair(random::at(65, i));
+                    let u = [a, b, c, d];
+                    let own = lambert.sample(Part::All, u);
+                    let Some(found) = way(lobes, place, &lambert, own, u) else {
+                        continue;
+                    };
+                    let weight = (found.weight * found.squeeze).to_array().map(f64::from);
+                    for channel in 0..3 {
+                        sum[channel] += weight[channel];
+                        squares[channel] += weight[channel].powi(2);
+                    }
+                }
+                let kept = f64::from(0.5 * (1.0 + degrees.to_radians().cos()));
+                for (channel, albedo) in albedo.to_array().into_iter().enumerate() {
+                    let mean = sum[channel] / COUNT as f64;
+                    let variance = squares[channel] / COUNT as f64 - mean.powi(2);
+                    let error = (variance / COUNT as f64).sqrt();
+                    let truth = kept * f64::from(albedo);
+                    let told = format!("{nth}, {degrees}°: {mean} ± {error}, not {truth}");
+                    assert!((mean - truth).abs() <= 4.0 * error, "{told}");
+                    assert!(error < 0.004 * truth, "{told}");
+                }
+            }
+        }
+    }
+}
