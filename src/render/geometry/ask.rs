@@ -23,8 +23,10 @@ impl Walker {
 
     /// The best that this processor has.
     pub fn found() -> Self {
-        #[cfg(all(target_arch = "x86_64", not(feature = "portable")))]
-        if let Some(lanes) = super::avx2::Avx2::found() {
+        #[cfg(target_arch = "x86_64")]
+        if !cfg!(feature = "portable")
+            && let Some(lanes) = super::avx2::Avx2::found()
+        {
             return Self::Avx2(lanes);
         }
         Self::PORTABLE

@@ -214,7 +214,8 @@ pub(super) struct Probe {
 pub(super) const MODERATE: f32 = (1_u64 << 60) as f32;
 
 impl Probe {
-    /// For a ray, if it is one, among shapes whose coordinates are below [`MODERATE`] or not.
+    /// For a ray, if it is one, among shapes whose coordinates are below [`MODERATE`] or not. One whose
+    /// end is no number is none: a walk is over when boxes come later than that, which they never do.
     #[inline(always)]
     pub fn new<L: Lanes>(lanes: L, ray: &Ray, moderate: bool) -> Option<Self> {
         let (near_origin, near_direction) = (Vec3A::from(ray.origin), Vec3A::from(ray.direction));
@@ -223,6 +224,7 @@ impl Probe {
         let extreme = !(moderate && usual.all());
         if extreme && !(near_origin.is_finite() && near_direction.is_finite())
             || size.cmplt(Vec3A::splat(LEAST)).all()
+            || ray.t_max.is_nan()
         {
             return None;
         }

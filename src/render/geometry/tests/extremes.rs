@@ -2,8 +2,8 @@
 
 use glam::{DVec3, Vec3};
 
-use super::by_hand;
 use super::meshes::{Chance, Mesh};
+use super::{NO_NUMBERS, by_hand};
 use crate::render::geometry::tree::Tree;
 use crate::render::geometry::{
     Bounds, Disk, Geometry, Owner, Plane, Ray, Shapes, Sphere, Triangle,
@@ -179,7 +179,7 @@ fn numbers_that_are_none_do_no_harm() {
     for x in bad {
         for direction in [Vec3::Z, Vec3::ZERO, Vec3::splat(x), Vec3::new(0.0, x, 1.0)] {
             for origin in [Vec3::NEG_Z, Vec3::splat(x)] {
-                for t_max in bad {
+                for t_max in bad.into_iter().chain(NO_NUMBERS) {
                     let ray = Ray { t_max, ..Ray::new(origin, direction) };
                     geometry.closest(&ray);
                     geometry.occluded(&ray);

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DQuat, DVec3, Vec2};
 
+use super::NO_NUMBERS;
 use super::meshes::{Chance, Mesh};
 use crate::math::{self, Transform};
 use crate::render::geometry::{
@@ -250,5 +251,19 @@ fn a_crowd_answers_alike_by_any_instructions() {
         let ray = Ray::new((2.0 * chance.cube()).as_vec3(), chance.direction());
         assert_eq!(best.closest(&ray), plain.closest(&ray), "{ray:?}");
         assert_eq!(best.occluded(&ray), plain.occluded(&ray), "{ray:?}");
+    }
+}
+
+/// Rays whose end is no number meet nothing, and come to an end.
+#[test]
+fn in_a_crowd_a_ray_without_an_interval_ends() {
+    let crowd = crowd(55, 2);
+    let mut chance = Chance::new(56);
+    for t_max in NO_NUMBERS.into_iter().chain([0.0, -1.0, f32::NEG_INFINITY]) {
+        for _ in 0..100 {
+            let (origin, direction) = ((2.0 * chance.cube()).as_vec3(), chance.direction());
+            let ray = Ray { t_max, ..Ray::new(origin, direction) };
+            assert!(crowd.closest(&ray).is_none() && !crowd.occluded(&ray), "{ray:?}");
+        }
     }
 }

@@ -16,6 +16,10 @@ use glam::{DVec3, Vec3};
 
 use super::{Geometry, Primitive, Ray, Sheet};
 
+/// What is no number, by either sign and by its first and its last bits.
+const NO_NUMBERS: [f32; 4] =
+    [f32::NAN, -f32::NAN, f32::from_bits(0x7FFF_FFFF), f32::from_bits(0xFFFF_FFFF)];
+
 /// The first meeting by asking every shape, without a tree.
 fn by_hand(geometry: &Geometry, ray: &Ray) -> Option<(f32, Primitive)> {
     let probe = super::Probe::new(super::lanes::Portable, ray, true).unwrap();
