@@ -1,8 +1,8 @@
 //! Everything about the meetings of several rays with triangles of the tree and spheres at once.
 //!
 //! By the operations of [`super::triangle::Face::surface`] in the same order, one ray a lane: f64
-//! rounds each by itself, so the bits are the same. The axes of a triangle's parts are those of its
-//! ray, [x, y, z] turned around; only sums along all three must be taken in the order of space.
+//! rounds each by itself, so the bits are the same. Only a triangle's parts have the axes of its ray,
+//! [x, y, z] turned around; all else is along those of space.
 
 use glam::{DVec2, Vec2, Vec3};
 
@@ -10,7 +10,7 @@ use super::Geometry;
 use super::balls::Balls;
 use super::best::{Meeting, Place};
 use super::lanes::LANES;
-use super::ray::{Hit, Ray, Sheet, Turn};
+use super::ray::{Hit, Ray, Sheet};
 use super::rounding;
 use super::triangle;
 use super::wide::{Job, MOST, Wide, ones};
@@ -27,10 +27,8 @@ pub(super) struct HitAll<'a> {
 type Exact = [f64; MOST];
 type Rounded = [f32; MOST];
 
-/// What the surfaces are made of, along the axes of each ray.
+/// The rays, and the corners of what they meet: along the axes of space.
 struct Faces {
-    /// Which axis of space is the first.
-    turns: [u8; MOST],
     origin: [Rounded; 3],
     direction: [Rounded; 3],
     /// Corner, then axis.
@@ -50,12 +48,7 @@ impl Job for HitAll<'_> {
     fn run<W: Wide>(self, _: W) {
         let Self { geometry, rays, met, hits } = self;
         let zero = [0.0; MOST];
-        let mut faces = Faces {
-            turns: [0; MOST],
-            origin: [zero; 3],
-            direction: [zero; 3],
-            corners: [[zero; 3]; 3],
-        };
+        let mut faces = Faces { origin: [zero; 3], direction: [zero; 3], corners: [[zero; 3]; 3] };
         let mut surfaces = Surfaces {
             position: [zero; 3],
             error: [zero; 3],
@@ -78,7 +71,7 @@ impl Job for HitAll<'_> {
                 if let Some(meeting) = meeting
                     && let Place::Tree(_) = meeting.place
                 {
-                    *hit = Some(surfaces.hit(geometry, lane % MOST, &faces, meeting));
+                    *hit = Some(surfaces.hit(geometry, lane % MOST, meeting));
                 } else {
                     *hit = None;
                     others |= u32::from(meeting.is_some()) << lane;
@@ -95,21 +88,47 @@ impl Job for HitAll<'_> {
 }
 
 impl Faces {
-    /// Takes a ray and what it meets.
+    /// Takes a ray and what it meets. Number by number, so that none has to wait for a vector or a list
+    /// to be written before it is read.
     #[inline(always)]
     fn take(&mut self, geometry: &Geometry, lane: usize, ray: &Ray, place: usize) {
-        let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
-        let order = Turn::of(ray.direction.abs().into()).axes();
-        self.turns[lane] = order[0] as u8;
-        let block = &geometry.tree.blocks[place / LANES];
-        for (k, axis) in order.into_iter().enumerate() {
-            self.origin[k][lane] = o[axis];
-            self.direction[k][lane] = d[axis];
-            let corners = block.coordinates(axis, place % LANES);
-            self.corners[0][k][lane] = corners[0];
-            self.corners[1][k][lane] = corners[1];
-            self.corners[2][k][lane] = corners[2];
-        }
+        let Self { origin: [ox, oy, oz], direction: [dx, dy, dz], corners: [a, b, c] } = self;
+        (ox[lane], oy[lane], oz[lane]) = (ray.origin.x, ray.origin.y, ray.origin.z);
+        (dx[lane], dy[lane], dz[lane]) = (ray.direction.x, ray.direction.y, ray.direction.z);
+        let (block, at) = (&geometry.tree.blocks[place / LANES], place % LANES);
+        [a[0][lane], b[0][lane], c[0][lane]] = block.coordinates(0, at);
+        [a[1][lane], b[1][lane], c[1][lane]] = block.coordinates(1, at);
+        [a[2][lane], b[2][lane], c[2][lane]] = block.coordinates(2, at);
+    }
+}
+
+/// Which axis a ray's direction is longest along, as [`super::ray::Turn::of`] has it.
+#[derive(Clone, Copy)]
+struct Depth {
+    is_y: bool,
+    is_z: bool,
+}
+
+impl Depth {
+    #[inline(always)]
+    fn of([x, y, z]: [f64; 3]) -> Self {
+        let (x, y, z) = (x.abs(), y.abs(), z.abs());
+        let (x_y, y_z, z_x) = (x >= y, y >= z, z >= x);
+        Self { is_y: y_z & !x_y, is_z: z_x & !y_z }
+    }
+
+    /// The numbers along the axes of the ray: the last is that of its depth, the first that of the
+    /// next axis of space.
+    #[inline(always)]
+    fn turned(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        [self.pick([y, z, x]), self.pick([z, x, y]), self.pick([x, y, z])]
+    }
+
+    /// One of three numbers; by choices, not by memory.
+    #[inline(always)]
+    fn pick(self, [for_x, for_y, for_z]: [f64; 3]) -> f64 {
+        let others = if self.is_y { for_y } else { for_x };
+        if self.is_z { for_z } else { others }
     }
 }
 
@@ -118,16 +137,20 @@ impl Surfaces {
     fn find<W: Wide>(&mut self, faces: &Faces) {
         for lane in 0..W::WIDTH {
             let [ox, oy, oz] = at(&faces.origin, lane);
-            let [dx, dy, dz] = at(&faces.direction, lane);
+            let direction = at(&faces.direction, lane);
             let [a, b, c] = &faces.corners;
             let [ax, ay, az] = at(a, lane);
             let [bx, by, bz] = at(b, lane);
             let [cx, cy, cz] = at(c, lane);
-            let (sx, sy) = (dx / dz, dy / dz);
             // The parts, as from `Face::parts`.
-            let (ad, bd, cd) = (az - oz, bz - oz, cz - oz);
-            let (au, bu, cu) = (ax - ox - ad * sx, bx - ox - bd * sx, cx - ox - cd * sx);
-            let (av, bv, cv) = (ay - oy - ad * sy, by - oy - bd * sy, cy - oy - cd * sy);
+            let depth = Depth::of(direction);
+            let [dx, dy, dz] = depth.turned(direction);
+            let (sx, sy) = (dx / dz, dy / dz);
+            let [au, av, ad] = depth.turned([ax - ox, ay - oy, az - oz]);
+            let [bu, bv, bd] = depth.turned([bx - ox, by - oy, bz - oz]);
+            let [cu, cv, cd] = depth.turned([cx - ox, cy - oy, cz - oz]);
+            let (au, bu, cu) = (au - ad * sx, bu - bd * sx, cu - cd * sx);
+            let (av, bv, cv) = (av - ad * sy, bv - bd * sy, cv - cd * sy);
             let u = (cu * bv - cv * bu).abs();
             let v = (au * cv - av * cu).abs();
             let w = (bu * av - bv * au).abs();
@@ -149,38 +172,30 @@ impl Surfaces {
             let nx = ey * fz - ez * fy;
             let ny = ez * fx - ex * fz;
             let nz = ex * fy - ey * fx;
-            // Added up from the x of space on.
-            let turn = faces.turns[lane];
-            let (xx, yy, zz) = (nx * nx, ny * ny, nz * nz);
-            let (first, second, last) =
-                (pick(turn, [xx, zz, yy]), pick(turn, [yy, xx, zz]), pick(turn, [zz, yy, xx]));
-            let length = (first + second + last).sqrt();
+            let length = (nx * nx + ny * ny + nz * nz).sqrt();
             let scale = 1.0 / length;
             let some = (length > 0.0) & (length < f64::INFINITY);
-            let up = [
-                pick(turn, [0.0, 0.0, 1.0]),
-                pick(turn, [0.0, 1.0, 0.0]),
-                pick(turn, [1.0, 0.0, 0.0]),
-            ];
-            self.normal[0][lane] = if some { nx * scale } else { up[0] };
-            self.normal[1][lane] = if some { ny * scale } else { up[1] };
-            self.normal[2][lane] = if some { nz * scale } else { up[2] };
+            self.normal[0][lane] = if some { nx * scale } else { 0.0 };
+            self.normal[1][lane] = if some { ny * scale } else { 0.0 };
+            self.normal[2][lane] = if some { nz * scale } else { 1.0 };
         }
     }
 
     #[inline(always)]
-    fn hit(&self, geometry: &Geometry, lane: usize, faces: &Faces, meeting: &Meeting) -> Hit {
+    fn hit(&self, geometry: &Geometry, lane: usize, meeting: &Meeting) -> Hit {
         let Meeting { t, primitive, .. } = *meeting;
         let index = primitive.index();
-        let turn = faces.turns[lane];
         let [u, v, w] = [self.weights[0][lane], self.weights[1][lane], self.weights[2][lane]];
-        let normal = turned(turn, &self.normal, lane);
+        let normal = [self.normal[0][lane], self.normal[1][lane], self.normal[2][lane]];
         let ng = Vec3::new(normal[0] as f32, normal[1] as f32, normal[2] as f32);
         let ns = match geometry.shapes.corner_normals(index) {
             None => ng,
             Some([a, b, c]) => triangle::shading_normal(normal, [*a, *b, *c], [u, v, w]),
         };
-        let position = Vec3::from_array(turned(turn, &self.position, lane));
+        let [x, y, z] = &self.position;
+        let position = Vec3::new(x[lane], y[lane], z[lane]);
+        let [x, y, z] = &self.error;
+        let error = Vec3::new(x[lane], y[lane], z[lane]);
         let weights = Vec2::new(v as f32, w as f32);
         let uv: DVec2 = match geometry.coordinates {
             true => geometry.shapes.coordinates.at(primitive, position, weights),
@@ -190,7 +205,7 @@ impl Surfaces {
         Hit {
             t,
             position,
-            error: Vec3::from_array(turned(turn, &self.error, lane)),
+            error,
             ng,
             ns,
             uv,
@@ -208,24 +223,9 @@ fn at([x, y, z]: &[Rounded; 3], lane: usize) -> [f64; 3] {
     [f64::from(x[lane]), f64::from(y[lane]), f64::from(z[lane])]
 }
 
-/// The numbers of a lane along the axes of space, where the first is along axis `turn`.
-#[inline(always)]
-fn turned<T: Copy>(turn: u8, all: &[[T; MOST]; 3], lane: usize) -> [T; 3] {
-    // Of x, y and z: where they are.
-    let [x, y, z] = [[0, 1, 2], [2, 0, 1], [1, 2, 0]][usize::from(turn) % 3];
-    [all[x][lane], all[y][lane], all[z][lane]]
-}
-
 /// A coordinate of the point that has these weights among the corners, and the bound of its error.
 #[inline(always)]
 fn place([a, b, c]: [f64; 3], [u, v, w]: [f64; 3]) -> (f32, f32) {
     let exact = a * u + b * v + c * w;
     (exact as f32, rounding::error_of(exact, a.abs() + b.abs() + c.abs()))
-}
-
-/// One of three numbers; by choices, not by memory.
-#[inline(always)]
-fn pick(which: u8, [a, b, c]: [f64; 3]) -> f64 {
-    let later = if which == 1 { b } else { c };
-    if which == 0 { a } else { later }
 }

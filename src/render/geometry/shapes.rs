@@ -88,14 +88,17 @@ impl Primitive {
     }
 
     /// As a number; the inverse of `from_bits`.
+    #[inline]
     pub(super) fn bits(self) -> u32 {
         self.0
     }
 
+    #[inline]
     pub(super) fn from_bits(bits: u32) -> Self {
         Self(bits)
     }
 
+    #[inline]
     pub(super) fn kind(self) -> Kind {
         match self.0 >> KIND_SHIFT {
             0 => Kind::Triangle,
@@ -105,6 +108,7 @@ impl Primitive {
         }
     }
 
+    #[inline]
     pub(super) fn index(self) -> usize {
         (self.0 & ((1 << KIND_SHIFT) - 1)) as usize
     }
