@@ -21,6 +21,7 @@ mod spot;
 mod surroundings;
 mod together;
 mod triangle;
+mod views;
 
 #[cfg(test)]
 mod tests;
@@ -104,6 +105,7 @@ impl Site {
     }
 
     /// On no surface.
+    #[inline]
     pub fn free(position: Vec3) -> Self {
         Self { point: Point::free(position), normal: Vec3::ZERO }
     }

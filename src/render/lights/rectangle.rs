@@ -12,10 +12,10 @@ use crate::render::geometry::{Facet, Form, Primitive};
 /// A rectangle as a site sees it, in a frame of its own: x and y along its edges, z away from it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SolidRectangle {
-    x: [f64; 2],
-    y: [f64; 2],
+    pub x: [f64; 2],
+    pub y: [f64; 2],
     /// Of the site over its plane; negative behind it.
-    height: f64,
+    pub height: f64,
     /// In sr.
     pub solid_angle: f64,
 }
@@ -81,6 +81,25 @@ impl SolidRectangle {
     }
 }
 
+/// A rectangle lamp as a point sees it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct View {
+    pub solid: SolidRectangle,
+    /// Whether it is so near that it is sampled by solid angle.
+    pub is_wide: bool,
+    /// Whether the point is over it.
+    pub is_over: bool,
+}
+
+/// A place of it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// In the frame of who sees it by solid angle.
+    pub at: [f64; 2],
+    /// Parts of its sides, from 0 to 1.
+    pub parts: [f64; 2],
+}
+
 /// Two triangles that are a rectangle: with corners a, b, c and a, c, d.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rectangle {
@@ -92,7 +111,7 @@ pub(super) struct Rectangle {
     /// Along its sides, unit length, square to each other.
     axes: [DVec3; 2],
     /// Its sides.
-    size: [f64; 2],
+    pub size: [f64; 2],
 }
 
 /// Edges of a rectangle are square if the cosine between them is smaller, and its corners fit to
@@ -134,34 +153,45 @@ impl Rectangle {
         self.triangles
     }
 
-    /// As a site sees it that is so high over its plane; and whether it is near enough to be
-    /// sampled by solid angle.
+    /// As a point sees it. Its front alone is seen, if not `both`.
     #[inline(always)]
-    fn solid(&self, from: DVec3, height: f64) -> (SolidRectangle, bool) {
+    pub fn view(&self, from: &Point, both: bool) -> View {
+        let (height, is_over) = self.flat.over(from, both);
+        View { is_over, ..self.view_at(from.position.as_dvec3(), height) }
+    }
+
+    /// The same from a place of that height over its plane, which it is seen from.
+    #[inline(always)]
+    fn view_at(&self, from: DVec3, height: f64) -> View {
         let corner = self.flat.at - from;
         let (x, y) = (corner.dot(self.axes[0]), corner.dot(self.axes[1]));
         let [long, wide] = self.size;
         let (along, across) = (x + 0.5 * long, y + 0.5 * wide);
         let distance_2 = along * along + across * across + height * height;
         let solid = SolidRectangle::new([x, x + long], [y, y + wide], height);
-        (solid, is_wide(long * long + wide * wide, distance_2))
+        View { solid, is_wide: is_wide(long * long + wide * wide, distance_2), is_over: true }
     }
 
-    /// A point of it, and whether the site sees it. Its front alone is seen, if not `both`.
+    /// A place of it, by `u` in [0, 1)².
     ///
-    /// Both ways to sample it are gone, and one of them taken: without jumps, so that a loop over it
+    /// Both ways to find one are gone, and one of them taken: without jumps, so that a loop over it
     /// becomes vectors.
     #[inline(always)]
-    pub fn see(&self, (from, both): (&Point, bool), [u, v]: [f64; 2]) -> (Sampled, bool) {
-        let position = from.position.as_dvec3();
-        let (height, is_over) = self.flat.over(from, both);
-        let (solid, is_wide) = self.solid(position, height);
-        let [x, y] = solid.sample([u, v]);
-        let s = if is_wide { (x - solid.x[0]) / self.size[0] } else { u };
-        let t = if is_wide { (y - solid.y[0]) / self.size[1] } else { v };
-        let point = self.point([s, t]);
-        let near = solid.way([x, y], self.axes, self.flat.normal);
-        let far = point.position.as_dvec3() - position;
+    pub fn place(&self, view: &View, u: [f64; 2]) -> Place {
+        let View { solid, is_wide, .. } = *view;
+        let [x, y] = solid.sample(u);
+        let s = if is_wide { (x - solid.x[0]) / self.size[0] } else { u[0] };
+        let t = if is_wide { (y - solid.y[0]) / self.size[1] } else { u[1] };
+        Place { at: [x, y], parts: [s, t] }
+    }
+
+    /// The point at a place of it, and whether it is seen. Without jumps, too.
+    #[inline(always)]
+    pub fn see(&self, from: &Point, view: &View, place: &Place) -> (Sampled, bool) {
+        let View { solid, is_wide, is_over } = *view;
+        let point = self.point(place.parts);
+        let near = solid.way(place.at, self.axes, self.flat.normal);
+        let far = point.position.as_dvec3() - from.position.as_dvec3();
         let way = DVec3::select(BVec3::splat(is_wide), near, far);
         let inverse = 1.0 / way.length();
         let density = self.flat.density(way);
@@ -174,17 +204,19 @@ impl Rectangle {
     /// A point of it that the site sees.
     #[inline(always)]
     pub fn sample(&self, (site, both): (&Site, bool), u: [f64; 2]) -> Option<Sampled> {
-        let (sampled, is_seen) = self.see((&site.point, both), u);
+        let view = self.view(&site.point, both);
+        let (sampled, is_seen) = self.see(&site.point, &view, &self.place(&view, u));
         is_seen.then_some(sampled)
     }
 
     /// Density with which `sample` gives the direction of a point of it.
     pub fn pdf_w(&self, (site, both): (&Site, bool), way: DVec3) -> f64 {
         let Some(height) = self.flat.height(site, both) else { return 0.0 };
-        match self.solid(site.point.position.as_dvec3(), height) {
-            (_, false) => self.flat.density(way),
-            (solid, true) if solid.solid_angle > LEAST => 1.0 / solid.solid_angle,
-            _ => 0.0,
+        let View { solid, is_wide, .. } = self.view_at(site.point.position.as_dvec3(), height);
+        match is_wide {
+            false => self.flat.density(way),
+            true if solid.solid_angle > LEAST => 1.0 / solid.solid_angle,
+            true => 0.0,
         }
     }
 
@@ -261,7 +293,9 @@ mod tests {
         let rectangle = Rectangle::of(triangles, &geometry).unwrap();
         for (i, below) in (0..1000).flat_map(|i| [1.0, 50.0].map(|below| (i, below))) {
             let from = Point::free(Vec3::new(0.3, 1.0 - below, -0.2));
-            let (sampled, _) = rectangle.see((&from, true), random::unit_pair(random::at(48, i)));
+            let view = rectangle.view(&from, true);
+            let place = rectangle.place(&view, random::unit_pair(random::at(48, i)));
+            let (sampled, _) = rectangle.see(&from, &view, &place);
             let Point { position, sheet, .. } = sampled.point;
             if (position.x - position.z).abs() > 1e-3 {
                 let way = sampled.wi.as_vec3();

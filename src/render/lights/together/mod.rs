@@ -10,6 +10,7 @@ use glam::Vec3;
 use super::choice::Choices;
 use super::loops;
 use super::sky::{Search, from_sky};
+use super::views::Views;
 use super::{Arrival, Light, Lights, Point, Ray, Sight, Site, Surroundings};
 use crate::math::Rgb;
 use crate::render::geometry::{Geometry, Sheet};
@@ -33,6 +34,7 @@ pub struct Sites {
 #[derive(Default)]
 pub struct Arrivals {
     found: Found,
+    views: Views,
     /// Which light, and by which chance.
     choices: Choices,
     part: Box<Part>,
@@ -241,12 +243,12 @@ impl Lights {
         asked: Option<usize>,
         arrivals: &mut Arrivals,
     ) {
-        let Arrivals { found, choices, part } = arrivals;
+        let Arrivals { found, views, choices, part } = arrivals;
         let [u, v, choice, _] = fours.rows();
         let only = if self.all.len() == 1 { Some(0) } else { None };
         if let Some(light) = asked.or(only).and_then(|number| self.all.get(number)) {
             choices.pmf = [1.0; LANES];
-            light.sample_all(geometry, sites, [u, v], found);
+            light.sample_all(geometry, sites, [u, v], (views, found));
             return;
         }
         self.choice.choose_all(sites, choice, choices);
@@ -276,7 +278,7 @@ impl Lights {
                 (first[nth], second[nth]) = (u[lane], v[lane]);
             }
             let Numbers([u, v]) = &part.numbers;
-            light.sample_all(geometry, &part.sites, [u, v], &mut part.found);
+            light.sample_all(geometry, &part.sites, [u, v], (views, &mut part.found));
             for (nth, &lane) in part.lanes.iter().enumerate() {
                 found.put(lane, &part.found.at(nth));
             }
@@ -296,11 +298,17 @@ impl Light {
     }
 
     /// [`Light::sample`] of many sites.
-    fn sample_all(&self, geometry: &Geometry, sites: &Sites, u: [&Row<f64>; 2], found: &mut Found) {
+    fn sample_all(
+        &self,
+        geometry: &Geometry,
+        sites: &Sites,
+        u: [&Row<f64>; 2],
+        (views, found): (&mut Views, &mut Found),
+    ) {
         match self {
             Self::Directional(directional) => loops::from_direction(directional, sites, found),
             Self::Lamp(lamp) if let Some(rectangle) = lamp.rectangle() => {
-                loops::from_rectangle(rectangle, lamp, sites, u, found);
+                loops::from_rectangle(rectangle, lamp, sites, u, views, found);
             }
             Self::Surroundings(Surroundings { sight: Sight::Sky(sky), .. }) => {
                 from_sky(sky, sites, u, found);
