@@ -69,6 +69,7 @@ pub struct Point {
 
 impl Point {
     /// A point on no surface: a camera, or a lamp without extent.
+    #[inline]
     pub fn free(position: Vec3) -> Self {
         Self { position, error: Vec3::ZERO, ng: Vec3::ZERO, sheet: Sheet::NONE }
     }

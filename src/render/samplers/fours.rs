@@ -2,34 +2,48 @@
 
 use super::{LEADING, MOST_POINTS, Spread, Stream, sobol};
 use crate::math::random;
-use crate::render::lanes::{LANES, Row};
+use crate::render::lanes::{LANES, Row, by_processor, padded};
 
 /// Four numbers for each lane.
 pub struct Fours {
     count: usize,
     numbers: [Row<f64>; 4],
-    /// Points of `sobol` that are wanted, and their scrambles.
-    points: Row<u32>,
+    wants: Wants,
     scrambles: Row<u32>,
-    /// 1 where a lane wants one.
-    wanted: Row<u32>,
-    /// Whether any does.
-    any: bool,
-    /// The round and the dimension of the last scramble: most lanes share theirs.
-    last: (u64, u64, u32),
 }
+
+/// What lanes want.
+struct Wants {
+    /// [`NOTHING`], [`HASHES`] or [`POINT`].
+    kind: Row<u32>,
+    /// The streams' own numbers, their rounds and dimensions.
+    own: Row<u64>,
+    round: Row<u64>,
+    dimension: Row<u64>,
+    /// Points of `sobol`.
+    point: Row<u32>,
+    /// Whether any wants hashes; and whether any wants a point.
+    any: [bool; 2],
+}
+
+/// Nothing, or what is there already.
+const NOTHING: u32 = 0;
+/// Hashes, each by itself.
+const HASHES: u32 = 1;
+/// A point of `sobol`.
+pub(super) const POINT: u32 = 2;
 
 impl Default for Fours {
     fn default() -> Self {
-        Self {
-            count: 0,
-            numbers: [[0.0; LANES]; 4],
-            points: [0; LANES],
-            scrambles: [0; LANES],
-            wanted: [0; LANES],
-            any: false,
-            last: (0, u64::MAX, 0),
-        }
+        let wants = Wants {
+            kind: [NOTHING; LANES],
+            own: [0; LANES],
+            round: [0; LANES],
+            dimension: [0; LANES],
+            point: [0; LANES],
+            any: [false; 2],
+        };
+        Self { count: 0, numbers: [[0.0; LANES]; 4], wants, scrambles: [0; LANES] }
     }
 }
 
@@ -37,38 +51,39 @@ impl Fours {
     /// Forgets them.
     pub fn clear(&mut self) {
         self.count = 0;
-        self.any = false;
+        self.wants.any = [false; 2];
     }
 
-    /// The next four of a stream are wanted, of [`LANES`] at most.
+    /// The next four of a stream are wanted, of [`LANES`] at most. Without a jump for those that are
+    /// hashes: paths on their way together are far from the camera or near to it, as it happens.
     #[inline(always)]
     pub fn push(&mut self, stream: &mut Stream) {
-        let lane = self.count;
+        let (lane, wants) = (self.count, &mut self.wants);
         self.count += 1;
-        if let Spread::Sobol { round, index } = stream.spread
-            && stream.dimension < LEADING
-            && u64::from(index) < MOST_POINTS
-        {
-            let (last_round, last_dimension, mut scramble) = self.last;
-            if (last_round, last_dimension) != (round, stream.dimension) {
-                scramble = random::at(round, stream.dimension) as u32;
-                self.last = (round, stream.dimension, scramble);
+        let (round, index) = match stream.spread {
+            Spread::None => (0, u32::MAX),
+            Spread::Sobol { round, index } => (round, index),
+            Spread::Strata(_) => {
+                wants.kind[lane] = NOTHING;
+                let numbers = stream.four();
+                (0..4).for_each(|i| self.numbers[i][lane] = numbers[i]);
+                return;
             }
-            stream.dimension += 1;
-            self.points[lane] = index;
-            self.scrambles[lane] = scramble;
-            self.wanted[lane] = 1;
-            self.any = true;
-            return;
-        }
-        self.wanted[lane] = 0;
-        let numbers = stream.four();
-        (0..4).for_each(|i| self.numbers[i][lane] = numbers[i]);
+        };
+        let is_point = (stream.dimension < LEADING) & (u64::from(index) < MOST_POINTS);
+        wants.kind[lane] = if is_point { POINT } else { HASHES };
+        wants.own[lane] = stream.own;
+        wants.round[lane] = round;
+        wants.dimension[lane] = stream.dimension;
+        wants.point[lane] = index;
+        wants.any[0] |= !is_point;
+        wants.any[1] |= is_point;
+        stream.dimension += 1;
     }
 
     /// Nothing is wanted for a lane.
     pub fn skip(&mut self) {
-        self.wanted[self.count] = 0;
+        self.wants.kind[self.count] = NOTHING;
         self.count += 1;
     }
 
@@ -80,14 +95,14 @@ impl Fours {
 
     /// Finds those of all streams; to be called after the last.
     pub fn draw(&mut self) {
-        if self.any {
-            sobol::fours(
-                self.count,
-                &self.points,
-                &self.scrambles,
-                &self.wanted,
-                &mut self.numbers,
-            );
+        let Self { count, numbers, wants, scrambles } = self;
+        let [hashes, points] = wants.any;
+        if hashes {
+            hash_all(*count, wants, numbers);
+        }
+        if points {
+            scramble_all(*count, wants, scrambles);
+            sobol::fours(*count, &wants.point, scrambles, &wants.kind, numbers);
         }
     }
 
@@ -101,6 +116,34 @@ impl Fours {
     /// Those of all lanes.
     pub fn rows(&self) -> &[Row<f64>; 4] {
         &self.numbers
+    }
+}
+
+by_processor! {
+    /// [`super::Fan::four`] of hashes, where they are wanted.
+    #[inline(never)]
+    fn hash_all(count: usize, wants: &Wants, numbers: &mut [Row<f64>; 4]) {
+        let [first, second, third, fourth] = numbers;
+        for lane in 0..padded(count) {
+            let bits = random::at(wants.own[lane], wants.dimension[lane]);
+            let ([a, b], [c, d]) = (random::unit_pair(bits), random::unit_pair(random::mix(bits)));
+            let wanted = wants.kind[lane] == HASHES;
+            first[lane] = if wanted { a } else { first[lane] };
+            second[lane] = if wanted { b } else { second[lane] };
+            third[lane] = if wanted { c } else { third[lane] };
+            fourth[lane] = if wanted { d } else { fourth[lane] };
+        }
+    }
+}
+
+by_processor! {
+    /// The scrambles of the lanes' dimensions in their rounds.
+    #[inline(never)]
+    fn scramble_all(count: usize, wants: &Wants, scrambles: &mut Row<u32>) {
+        let places = wants.round.iter().zip(&wants.dimension);
+        for (scramble, (round, dimension)) in scrambles.iter_mut().zip(places).take(padded(count)) {
+            *scramble = random::at(*round, *dimension) as u32;
+        }
     }
 }
 
