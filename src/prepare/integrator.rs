@@ -60,6 +60,7 @@ pub(super) fn prepare(integrator: &scene::Integrator, plan: &Plan, scale: f64) -
             roulette: roulette(&path.roulette),
             roulette_after: path.roulette_after.0 as u32,
             depth: depth(&path.depth),
+            reuse: path.reuse.0 as u32,
         }),
         scene::Integrator::Preview(_) => Integrator::Preview(Preview),
     }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::World;
-use super::film::{Begun, Taken, Tile};
+use super::film::{Begun, Groups, Taken, Tile};
 use super::integrators::{GiveUp, Wave};
 use crate::math::Rgb;
 
@@ -81,8 +81,13 @@ impl Counts {
 
 /// Takes the job's samples of every pixel of its tiles: the sums of each tile's block, with what
 /// was taken before. A tile is None if the job was cancelled before its end. `follower` makes for each
-/// tile what follows the samples of a wave.
-pub fn pass<F>(world: &World, job: &Job, follower: impl Fn() -> F + Sync) -> Vec<Option<Begun>>
+/// tile what follows the samples of a wave, where groups of so many pixels are to be together.
+pub fn pass<F>(
+    world: &World,
+    job: &Job,
+    group: usize,
+    follower: impl Fn() -> F + Sync,
+) -> Vec<Option<Begun>>
 where
     F: FnMut(&mut Wave),
 {
@@ -95,18 +100,18 @@ where
                 return None;
             }
             let tile = &tiles[index];
-            let sums = one(world, job, tile, job.taken.begun(index), follower())?;
+            let sums = one(world, job, (tile, group), job.taken.begun(index), follower())?;
             (job.advance)(tile.pixels() * (job.samples.end - job.samples.start));
             Some(sums)
         })
         .collect()
 }
 
-/// The samples of one tile; None if one of them was given up.
+/// The samples of one tile, in groups of so many pixels; None if one of them was given up.
 fn one(
     world: &World,
     job: &Job,
-    tile: &Tile,
+    (tile, group): (&Tile, usize),
     from: Option<&Begun>,
     mut follow: impl FnMut(&mut Wave),
 ) -> Option<Begun> {
@@ -115,79 +120,122 @@ fn one(
     let fresh = || Begun::new([tile.pixels() as usize, world.film.layers], block, rhythm);
     let mut begun = from.cloned().unwrap_or_else(fresh);
     let mut wave = Wave::new(world, Some(job.cancelled));
-    // The samples of a pixel, then those of the next.
-    let mut samples = Vec::with_capacity(Wave::MOST);
-    for (index, (x, y)) in tile.places().enumerate() {
+    let mut batch = Batch::default();
+    if group == 1 {
+        // The samples of a pixel, then those of the next.
+        for (x, y) in tile.places() {
+            for number in job.samples.clone() {
+                batch.push(tile, number, &[[x, y]]);
+                if batch.is_full(group) {
+                    batch.take(world, job.seed, (&mut wave, &mut follow), &mut begun)?;
+                }
+            }
+        }
+    } else {
+        let mut groups = Groups::new(&world.film, tile, group, job.seed);
         for number in job.samples.clone() {
-            samples.push(Sample { index, pixel: [x, y], number });
-            if samples.len() == Wave::MOST {
-                take(world, job.seed, &samples, (&mut wave, &mut follow), &mut begun)?;
-                samples.clear();
+            for pixels in groups.of(number) {
+                batch.push(tile, number, pixels);
+                if batch.is_full(group) {
+                    batch.take(world, job.seed, (&mut wave, &mut follow), &mut begun)?;
+                }
             }
         }
     }
-    take(world, job.seed, &samples, (&mut wave, &mut follow), &mut begun)?;
+    batch.take(world, job.seed, (&mut wave, &mut follow), &mut begun)?;
     Some(begun)
+}
+
+/// Samples that are to be taken together.
+#[derive(Default)]
+struct Batch {
+    samples: Vec<Sample>,
+    /// Where each group of them ends.
+    ends: Vec<usize>,
 }
 
 /// A sample of a pixel.
 struct Sample {
-    /// Number of the pixel in its tile.
-    index: usize,
+    /// Number of the pixel in its tile; None: it is beside it, and only others want its light.
+    index: Option<usize>,
     /// Its place on the whole film.
     pixel: [u64; 2],
     /// Number of the sample, from 0.
     number: u64,
 }
 
-/// Takes samples together, and adds them to their pixels in their order. None if one of them was
-/// given up.
-fn take(
-    world: &World,
-    seed: u64,
-    samples: &[Sample],
-    (wave, follow): (&mut Wave, &mut impl FnMut(&mut Wave)),
-    begun: &mut Begun,
-) -> Option<()> {
-    wave.begin(seed, samples.iter().map(|sample| (sample.pixel, sample.number)));
-    follow(wave);
-    if wave.given_up {
-        return None;
-    }
-    let rhythm = world.sampler.rhythm();
-    let layers = world.film.layers;
-    let mut counts = *begun.counts();
-    let mut brought = wave.brought();
-    for of_pixel in samples.chunk_by(|a, b| a.index == b.index) {
-        let index = of_pixel[0].index;
-        let mut pixel = begun.pixel(index);
-        for (sample, (carrier, weight)) in of_pixel.iter().zip(&mut brought) {
-            counts.rays += 1;
-            counts.shadow_rays += carrier.shadow_rays;
-            let weighed = |radiance: Rgb| {
-                let [r, g, b] = radiance.to_array();
-                [weight * f64::from(r), weight * f64::from(g), weight * f64::from(b)]
-            };
-            let value = if carrier.radiance.is_finite() {
-                let sums = begun.layers(index, layers);
-                for (sum, layer) in sums.iter_mut().zip(&carrier.layers) {
-                    let value = weighed(*layer);
-                    (0..3).for_each(|channel| sum[channel] += value[channel]);
-                }
-                weighed(carrier.radiance)
-            } else {
-                let ([x, y], object) = (sample.pixel, carrier.object);
-                let first = Place { y, x, sample: sample.number, object };
-                let invalid = Some(Invalid { count: 1, first });
-                counts.add(&Counts { invalid, ..Counts::default() });
-                [0.0; 3]
-            };
-            pixel.add(value, sample.number % rhythm.block, rhythm);
+impl Batch {
+    /// Adds a sample of each pixel of a group, if any of them is in the tile.
+    fn push(&mut self, tile: &Tile, number: u64, pixels: &[[u64; 2]]) {
+        let first = self.samples.len();
+        let samples = pixels.iter();
+        self.samples.extend(samples.map(|&pixel| Sample { index: tile.index(pixel), pixel, number }));
+        if self.samples[first..].iter().all(|sample| sample.index.is_none()) {
+            return self.samples.truncate(first);
         }
-        begun.put(index, &pixel);
+        self.ends.push(self.samples.len());
     }
-    *begun.counts() = counts;
-    Some(())
+
+    /// Whether there is no place for one more group of that size.
+    fn is_full(&self, group: usize) -> bool {
+        self.samples.len() + group > Wave::MOST
+    }
+
+    /// Takes them, and adds them to their pixels in their order. None if one of them was given up.
+    fn take(
+        &mut self,
+        world: &World,
+        seed: u64,
+        (wave, follow): (&mut Wave, &mut impl FnMut(&mut Wave)),
+        begun: &mut Begun,
+    ) -> Option<()> {
+        let samples = self.samples.iter().map(|sample| (sample.pixel, sample.number));
+        wave.begin(seed, samples, &self.ends);
+        follow(wave);
+        if wave.given_up {
+            return None;
+        }
+        let rhythm = world.sampler.rhythm();
+        let layers = world.film.layers;
+        let mut counts = *begun.counts();
+        let mut brought = wave.brought();
+        for of_pixel in self.samples.chunk_by(|a, b| a.index == b.index) {
+            let brought = brought.by_ref().take(of_pixel.len());
+            let Some(index) = of_pixel[0].index else {
+                brought.for_each(drop);
+                continue;
+            };
+            let mut pixel = begun.pixel(index);
+            for (sample, (carrier, weight)) in of_pixel.iter().zip(brought) {
+                counts.rays += 1;
+                counts.shadow_rays += carrier.shadow_rays;
+                let weighed = |radiance: Rgb| {
+                    let [r, g, b] = radiance.to_array();
+                    [weight * f64::from(r), weight * f64::from(g), weight * f64::from(b)]
+                };
+                let value = if carrier.radiance.is_finite() {
+                    let sums = begun.layers(index, layers);
+                    for (sum, layer) in sums.iter_mut().zip(&carrier.layers) {
+                        let value = weighed(*layer);
+                        (0..3).for_each(|channel| sum[channel] += value[channel]);
+                    }
+                    weighed(carrier.radiance)
+                } else {
+                    let ([x, y], object) = (sample.pixel, carrier.object);
+                    let first = Place { y, x, sample: sample.number, object };
+                    let invalid = Some(Invalid { count: 1, first });
+                    counts.add(&Counts { invalid, ..Counts::default() });
+                    [0.0; 3]
+                };
+                pixel.add(value, sample.number % rhythm.block, rhythm);
+            }
+            begun.put(index, &pixel);
+        }
+        *begun.counts() = counts;
+        self.samples.clear();
+        self.ends.clear();
+        Some(())
+    }
 }
 
 /// The most threads for each processor: more of them only take each other's time.
@@ -265,7 +313,7 @@ mod tests {
             cancelled: &|_| false,
             advance: &|_| (),
         };
-        for (tile, begun) in pass(world, &job, follower).into_iter().enumerate() {
+        for (tile, begun) in pass(world, &job, 1, follower).into_iter().enumerate() {
             taken.put(tile, begun.unwrap(), end);
         }
         taken

@@ -3,6 +3,7 @@
 mod begun;
 mod develop;
 mod filter;
+mod groups;
 mod sums;
 mod table;
 mod taken;
@@ -11,6 +12,7 @@ mod window;
 pub use begun::Begun;
 pub use develop::{Developed, develop, layers, samples};
 pub use filter::Filter;
+pub use groups::Groups;
 pub use taken::{Taken, TileMeans};
 pub use window::{Tile, Window};
 

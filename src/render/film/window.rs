@@ -19,8 +19,8 @@ pub struct Window {
 pub type Tile = Window;
 
 /// Pixels along each side of a tile: enough work to pay for handing it out, few enough that the
-/// last ones end together.
-const TILE: u64 = 16;
+/// last ones end together. Tiles begin at multiples of it on the whole film.
+pub(super) const TILE: u64 = 16;
 
 /// Columns or rows of no film are more than so many.
 const MOST_SIDE: u64 = 1 << 32;
@@ -49,32 +49,40 @@ impl Window {
 
     /// Tiles in each row of them.
     pub fn tile_columns(&self) -> usize {
-        self.width().div_ceil(TILE) as usize
+        tiles(self.x0, self.x1) as usize
     }
 
     /// Whether it has pixels, within what a film may have, and so many tiles: to be asked of what
     /// was read from a file.
     pub fn has_tiles(&self, count: usize) -> bool {
         let sides = [(self.x0, self.x1), (self.y0, self.y1)];
-        let tiles = |(from, to): (u64, u64)| (to - from).div_ceil(TILE);
         sides.iter().all(|(from, to)| from < to && *to <= MOST_SIDE)
-            && sides.map(tiles).iter().product::<u64>() == count as u64
+            && sides.map(|(from, to)| tiles(from, to)).iter().product::<u64>() == count as u64
     }
 
     /// Tiles that cover it, row by row.
     pub(super) fn tiles(&self) -> Vec<Tile> {
-        let steps = |from: u64, to: u64| (from..to).step_by(TILE as usize);
+        let steps = |from: u64, to: u64| {
+            let cuts = (from / TILE * TILE..to).step_by(TILE as usize);
+            cuts.map(move |cut| (cut.max(from), (cut + TILE).min(to)))
+        };
         steps(self.y0, self.y1)
-            .flat_map(|y0| {
-                steps(self.x0, self.x1).map(move |x0| Tile {
-                    x0,
-                    y0,
-                    x1: (x0 + TILE).min(self.x1),
-                    y1: (y0 + TILE).min(self.y1),
-                })
+            .flat_map(|(y0, y1)| {
+                steps(self.x0, self.x1).map(move |(x0, x1)| Tile { x0, y0, x1, y1 })
             })
             .collect()
     }
+
+    /// The number of a pixel among [`Self::places`]; None: it is outside.
+    pub fn index(&self, [x, y]: [u64; 2]) -> Option<usize> {
+        let is_in = (self.x0..self.x1).contains(&x) && (self.y0..self.y1).contains(&y);
+        is_in.then(|| ((y - self.y0) * self.width() + (x - self.x0)) as usize)
+    }
+}
+
+/// Tiles along a side of pixels, the last not included.
+fn tiles(from: u64, to: u64) -> u64 {
+    to.div_ceil(TILE) - from / TILE
 }
 
 #[cfg(test)]
@@ -88,5 +96,12 @@ mod tests {
         seen.sort_by_key(|(x, y)| (*y, *x));
         assert_eq!(seen, window.places().collect::<Vec<_>>());
         assert_eq!(seen.len() as u64, window.pixels());
+        assert!(window.has_tiles(window.tiles().len()));
+        assert_eq!(window.tile_columns(), 4);
+        assert!(window.tiles().iter().all(|tile| tile.x0 / TILE == (tile.x1 - 1) / TILE));
+        for (nth, (x, y)) in window.places().enumerate() {
+            assert_eq!(window.index([x, y]), Some(nth));
+        }
+        assert_eq!((window.index([2, 7]), window.index([3, 40])), (None, None));
     }
 }

@@ -83,6 +83,11 @@ pub struct Trail {
 impl Trail {
     /// From the eye.
     pub(super) const START: Self = Self { state: Automaton::START, last: Tracing::EYE };
+
+    /// Where it stands.
+    pub(super) fn state(self) -> u16 {
+        self.state
+    }
 }
 
 impl<'w> Carrier<'w> {

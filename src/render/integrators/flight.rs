@@ -5,6 +5,7 @@ use glam::Vec3;
 use super::carrier::{Branch, Carrier, Trail};
 use super::lit::Lit;
 use super::path::Split;
+use super::reuse::Reuse;
 use super::turns::Turns;
 use super::{Ray, Source, Wave, World};
 use crate::math::Rgb;
@@ -45,6 +46,8 @@ pub struct Flight<M: Matter> {
     pub(super) parted: Parted,
     /// What has been asked of lamps.
     pub(super) questions: Questions,
+    /// What samples share, if they do.
+    pub(super) reuse: Reuse,
 }
 
 /// Samples that go on.
@@ -85,6 +88,7 @@ impl<M: Matter> Flight<M> {
             turns: Turns::default(),
             parted: Parted::default(),
             questions: Questions::default(),
+            reuse: Reuse::default(),
         }
     }
 

@@ -9,6 +9,7 @@ mod lighting;
 mod lit;
 mod path;
 mod preview;
+mod reuse;
 mod roulette;
 mod stages;
 mod traced;
@@ -57,18 +58,18 @@ impl Integrator {
 
     fn pass_among<M: Matter>(&self, world: &World, job: &Job) -> Vec<Option<Begun>> {
         match self {
-            Self::Direct(direct) => tiles::pass(world, job, || {
+            Self::Direct(direct) => tiles::pass(world, job, 1, || {
                 |wave: &mut Wave| {
                     wave.each(|ray, stream, carrier| {
                         direct.radiance::<M>(world, ray, stream, carrier);
                     })
                 }
             }),
-            Self::Path(path) => tiles::pass(world, job, || {
+            Self::Path(path) => tiles::pass(world, job, path.reuse as usize, || {
                 let mut flight = Flight::<M>::new();
                 move |wave: &mut Wave| path.follow(wave, &mut flight)
             }),
-            Self::Preview(preview) => tiles::pass(world, job, || {
+            Self::Preview(preview) => tiles::pass(world, job, 1, || {
                 |wave: &mut Wave| wave.each(|ray, _, carrier| preview.radiance(world, ray, carrier))
             }),
         }
@@ -86,7 +87,7 @@ impl Integrator {
         mut visit: impl FnMut(f64, Traced),
     ) {
         let mut wave = Wave::new(world, None);
-        wave.begin(seed, std::iter::once((pixel, sample)));
+        wave.begin(seed, std::iter::once((pixel, sample)), &[1]);
         wave.trace();
         match self {
             Self::Direct(direct) => wave.each(|ray, stream, carrier| {

@@ -19,9 +19,13 @@ impl Path {
     /// Each turn takes every path that is in flight to its next surface, and from there on.
     pub fn follow<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
         flight.begin();
+        flight.reuse.begin(if self.shares() { wave.rays.len() } else { 0 }, wave.world.film.layers);
         while flight.enter(wave) {
             flight.meet(wave.world);
             self.arrive(wave, flight);
+            if self.shares() {
+                self.note(wave, flight);
+            }
             self.ask(wave, flight);
             self.go_on(wave, flight);
             flight.turn();
@@ -29,6 +33,9 @@ impl Path {
             if wave.given_up {
                 return;
             }
+        }
+        if self.shares() {
+            self.share(wave, flight);
         }
     }
 
@@ -178,6 +185,7 @@ impl Path {
         if let Some(guide) = &wave.world.guide {
             guided::ways(guide, (sites, &lit.lamberts), &wave.fours, &mut turns.ways);
         }
+        flight.reuse.end_strays(&mut turns.ways);
         turns.decide(count, self.roulette, sites, &wave.fours);
         let [going, ended] =
             parted.by(count, |nth| turns.goes_on(nth) & !surfaces[nth].split.is_any());

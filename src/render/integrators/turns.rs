@@ -53,6 +53,16 @@ impl Turns {
         self.limit[lane] = limit;
     }
 
+    /// Begins a path anew with a throughput of one.
+    pub fn begin_anew(&mut self, lane: usize) {
+        self.put_parts(lane, (Rgb::ONE, 1.0), self.limit[lane]);
+    }
+
+    /// Gives a path another bound of its chance to go on.
+    pub fn limit(&mut self, lane: usize, limit: f32) {
+        self.limit[lane] = limit;
+    }
+
     /// The throughput of the path that has come to a surface.
     #[inline(always)]
     pub fn throughput(&self, lane: usize) -> Rgb {

@@ -23,6 +23,8 @@ pub struct Wave<'w> {
     weights: Vec<f64>,
     /// What each brings home; those beyond the last sample are kept for their memory.
     pub(super) carriers: Vec<Carrier<'w>>,
+    /// Where each group of samples ends that share light.
+    pub(super) groups: Vec<usize>,
     /// Rays that were followed for all of them.
     followed: u64,
     /// One of them was given up: what they found are no samples.
@@ -44,15 +46,24 @@ impl<'w> Wave<'w> {
             rays: Vec::new(),
             weights: Vec::new(),
             carriers: Vec::new(),
+            groups: Vec::new(),
             followed: 0,
             given_up: false,
         }
     }
 
-    /// Begins these samples, each of a pixel, in place of those before; [`Self::MOST`] at most.
-    pub fn begin(&mut self, seed: u64, mut samples: impl Iterator<Item = ([u64; 2], u64)> + Clone) {
+    /// Begins these samples, each of a pixel, in place of those before; [`Self::MOST`] at most. Those
+    /// that may share light are together, in groups that end there.
+    pub fn begin(
+        &mut self,
+        seed: u64,
+        mut samples: impl Iterator<Item = ([u64; 2], u64)> + Clone,
+        groups: &[usize],
+    ) {
         let world = self.world;
         self.followed = 0;
+        self.groups.clear();
+        self.groups.extend_from_slice(groups);
         self.streams.clear();
         self.rays.clear();
         self.weights.clear();

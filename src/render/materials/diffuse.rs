@@ -62,6 +62,18 @@ impl Lambert {
         self.ns
     }
 
+    /// Geometric normal on the viewer's side.
+    #[inline]
+    pub fn normal(&self) -> Vec3 {
+        self.ng
+    }
+
+    /// The part of the light that is scattered back.
+    #[inline]
+    pub fn albedo(&self) -> Rgb {
+        self.albedo
+    }
+
     /// By the cosine to the shading normal; None below the surface, or black.
     #[inline(always)]
     pub(super) fn sample(&self, u: [f64; 2]) -> Option<Scattered> {
