@@ -1,18 +1,17 @@
 //! The near surfaces of a group of samples, and the far ones that each might have found.
 
-use glam::Vec3;
-
 use super::{Far, Kind, Near};
 use crate::math::Rgb;
 use crate::render::World;
-use crate::render::geometry::{Point, Ray, between};
+use crate::render::geometry::{Ray, between};
 use crate::render::lanes::{LANES, Row, Rows, by_processor, get, padded, put};
+use crate::render::lights::{Site, Sites};
 
 /// Those of one group, of as many samples as there are lanes at most.
+#[derive(Default)]
 pub(super) struct Group {
     /// Near surfaces, one lane for each.
     lanes: Lanes,
-    points: Vec<Point>,
     samples: Vec<usize>,
     kinds: Vec<Kind>,
     chances: Vec<f32>,
@@ -27,12 +26,17 @@ pub(super) struct Group {
     hidden: Vec<bool>,
 }
 
-/// Where near surfaces are, and how they face.
+/// Where near surfaces are and how they face, and how they find a far one.
 struct Lanes {
-    position: Rows,
+    /// With shading normals.
+    sites: Sites,
+    /// Geometric normals on the same side.
     ng: Rows,
-    ns: Rows,
     density: Row,
+    /// Of the rays to it.
+    origin: Rows,
+    direction: Rows,
+    t_max: Row,
 }
 
 /// A far surface.
@@ -44,29 +48,18 @@ struct Found {
     is_shared: bool,
 }
 
-impl Default for Group {
+impl Default for Lanes {
     fn default() -> Self {
-        let rows = [[0.0; LANES]; 3];
-        Self {
-            lanes: Lanes { position: rows, ng: rows, ns: rows, density: [0.0; LANES] },
-            points: Vec::new(),
-            samples: Vec::new(),
-            kinds: Vec::new(),
-            chances: Vec::new(),
-            throughputs: Vec::new(),
-            fars: Vec::new(),
-            densities: Vec::new(),
-            rays: Vec::new(),
-            asked: Vec::new(),
-            hidden: Vec::new(),
-        }
+        let (row, rows) = ([0.0; LANES], [[0.0; LANES]; 3]);
+        let [ng, origin, direction] = [rows; 3];
+        Self { sites: Sites::default(), ng, density: row, origin, direction, t_max: row }
     }
 }
 
 impl Group {
     /// Forgets all of them.
     pub fn clear(&mut self) {
-        self.points.clear();
+        self.lanes.sites.clear();
         self.samples.clear();
         self.kinds.clear();
         self.chances.clear();
@@ -79,11 +72,8 @@ impl Group {
 
     /// One more near surface, of a sample by its number in the group.
     pub fn push_near(&mut self, sample: usize, near: &Near) {
-        let lane = self.samples.len();
-        put(&mut self.lanes.position, lane, near.point.position);
-        put(&mut self.lanes.ng, lane, near.lambert.normal());
-        put(&mut self.lanes.ns, lane, near.lambert.side());
-        self.points.push(near.point);
+        put(&mut self.lanes.ng, self.samples.len(), near.lambert.normal());
+        self.lanes.sites.push(&Site { point: near.point, normal: near.lambert.side() });
         self.samples.push(sample);
         self.kinds.push(near.kind);
         self.chances.push(near.chance);
@@ -93,17 +83,17 @@ impl Group {
     /// One more far surface, found from the near one of that lane, whose light others are to have as
     /// well, or not. All near ones have come before. Returns how many rays it takes to see them.
     pub fn push_far(&mut self, far: &Far, by: usize, is_shared: bool) -> u64 {
-        let asked = self.asked.len();
-        let count = self.samples.len();
-        find(count, far.point.position, far.ng, &mut self.lanes);
-        let first = self.densities.len();
-        self.densities.extend_from_slice(&self.lanes.density[..count]);
-        let densities = &mut self.densities[first..];
-        for (lane, density) in densities.iter_mut().enumerate() {
+        let (asked, first) = (self.asked.len(), self.densities.len());
+        let (lanes, reaches) = (&mut self.lanes, far.point.sheet);
+        find(far, lanes);
+        self.densities.extend_from_slice(&lanes.density[..self.samples.len()]);
+        for (lane, density) in self.densities[first..].iter_mut().enumerate() {
             if !is_shared || self.kinds[lane] != self.kinds[by] {
                 *density = 0.0;
             } else if lane != by && *density > 0.0 {
-                self.rays.push(between(&self.points[lane], &far.point));
+                let (origin, direction) = (get(&lanes.origin, lane), get(&lanes.direction, lane));
+                let (t_max, leaves) = (lanes.t_max[lane], lanes.sites.point(lane).sheet);
+                self.rays.push(Ray { origin, direction, t_max, leaves, reaches });
                 self.asked.push(first + lane);
             }
         }
@@ -149,16 +139,21 @@ impl Group {
 
 by_processor! {
     /// By which density each near surface finds a far one if it sees it, as an area's: cosines over
-    /// the square of the distance.
+    /// the square of the distance; and along which ray it sees it.
     #[inline(never)]
-    fn find(count: usize, position: Vec3, ng: Vec3, lanes: &mut Lanes) {
-        for lane in 0..padded(count) {
-            let way = position - get(&lanes.position, lane);
+    fn find(far: &Far, lanes: &mut Lanes) {
+        for lane in 0..padded(lanes.sites.lanes().end) {
+            let point = lanes.sites.point(lane);
+            let way = far.point.position - point.position;
             let square = way.dot(way);
-            let (up, out) = (get(&lanes.ns, lane).dot(way), -ng.dot(way));
+            let (up, out) = (lanes.sites.normal(lane).dot(way), -far.ng.dot(way));
             let sees = (get(&lanes.ng, lane).dot(way) > 0.0) & (up > 0.0) & (out > 0.0);
             let density = (up / square) * (out / square);
             lanes.density[lane] = if sees { density } else { 0.0 };
+            let ray = between(&point, &far.point);
+            put(&mut lanes.origin, lane, ray.origin);
+            put(&mut lanes.direction, lane, ray.direction);
+            lanes.t_max[lane] = ray.t_max;
         }
     }
 }

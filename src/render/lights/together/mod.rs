@@ -138,6 +138,12 @@ impl Sites {
         &self.normal
     }
 
+    /// The normal of a lane.
+    #[inline(always)]
+    pub fn normal(&self, lane: usize) -> Vec3 {
+        get(&self.normal, lane)
+    }
+
     /// The point of a lane.
     #[inline(always)]
     pub fn point(&self, lane: usize) -> Point {
@@ -147,7 +153,7 @@ impl Sites {
 
     #[inline(always)]
     pub(super) fn at(&self, lane: usize) -> Site {
-        Site { point: self.point(lane), normal: get(&self.normal, lane) }
+        Site { point: self.point(lane), normal: self.normal(lane) }
     }
 }
 
