@@ -8,6 +8,20 @@ use crate::render::lights::Sites;
 use crate::render::materials::{Lambert, Lamberts, Scattered, Ways};
 use crate::render::samplers::Fours;
 
+/// By what the ways on from surfaces were chosen.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Chosen {
+    /// With which chance by the surface's own density.
+    pub own: f32,
+    /// Whether it was.
+    pub is_own: bool,
+}
+
+impl Chosen {
+    /// Where no photons are asked.
+    pub const OWN: Self = Self { own: 1.0, is_own: true };
+}
+
 /// Gives diffuse surfaces where photons have landed their ways on, in place of those that they have.
 /// Those that are not diffuse alone keep them.
 pub(super) fn ways(
@@ -15,6 +29,7 @@ pub(super) fn ways(
     (sites, lamberts): (&Sites, &Lamberts),
     fours: &Fours,
     ways: &mut Ways,
+    mut chosen: impl FnMut(usize, Chosen),
 ) {
     // First where all are: one search does not wait for the other.
     let mut leaves = [0; LANES];
@@ -29,7 +44,10 @@ pub(super) fn ways(
         {
             let (own, some) = ways.at(lane);
             let own = some.then_some(own);
-            ways.put(lane, way(lobes, place, &lambert, own, fours.at(lane)));
+            let u = fours.at(lane);
+            ways.put(lane, way(lobes, place, &lambert, own, u));
+            let part = lobes.part();
+            chosen(lane, Chosen { own: 1.0 - part, is_own: !is_led(part, u) });
         }
     }
 }
@@ -47,8 +65,8 @@ fn way(
     u: [f64; 4],
 ) -> Option<Scattered> {
     let part = lobes.part();
-    let choice = u[2] / f64::from(part);
-    let way = if choice < 1.0 {
+    let way = if is_led(part, u) {
+        let choice = u[2] / f64::from(part);
         let (way, some) = lambert.towards(lobes.sample(place, choice, [u[0], u[1]]));
         some.then_some(way)
     } else {
@@ -60,6 +78,11 @@ fn way(
     let less = way.pdf_w / mixed;
     Some(Scattered { weight: way.weight * less.max(1.0), squeeze: less.min(1.0), ..way })
 }
+
+/// Whether the direction of a photon is chosen, which has this part of all, by the third number.
+#[inline(always)]
+fn is_led(part: f32, u: [f64; 4]) -> bool {
+    u[2] / f64::from(part) < 1.0
 
 #[cfg(test)]
 mod tests {

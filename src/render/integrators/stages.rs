@@ -183,7 +183,10 @@ impl Path {
         let materials = &wave.world.materials;
         many.ways(materials, &lit.lamberts, &wave.fours, &mut turns.ways);
         if let Some(guide) = &wave.world.guide {
-            guided::ways(guide, (sites, &lit.lamberts), &wave.fours, &mut turns.ways);
+            let (of, reuse) = ((&*sites, &lit.lamberts), &mut flight.reuse);
+            guided::ways(guide, of, &wave.fours, &mut turns.ways, |nth, chosen| {
+                reuse.choose(surfaces[nth].lane, chosen);
+            });
         }
         flight.reuse.end_strays(&mut turns.ways);
         turns.decide(count, self.roulette, sites, &wave.fours);

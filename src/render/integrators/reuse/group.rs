@@ -76,7 +76,7 @@ impl Group {
         self.lanes.sites.push(&Site { point: near.point, normal: near.lambert.side() });
         self.samples.push(sample);
         self.kinds.push(near.kind);
-        self.chances.push(near.chance);
+        self.chances.push(near.chosen.own);
         self.throughputs.push(near.throughput);
     }
 

@@ -16,6 +16,7 @@ use glam::Vec3;
 use super::World;
 use super::carrier::Carrier;
 use super::flight::Flight;
+use super::guided::Chosen;
 use super::path::Path;
 use super::roulette::SAFE;
 use super::wave::Wave;
@@ -54,9 +55,8 @@ struct Near {
     /// What the camera gets of the radiance that comes from a direction, times its density by the
     /// cosine.
     throughput: Rgb,
-    /// With which chance the cosine chooses the way on, and whether it has.
-    chance: f32,
-    by_cosine: bool,
+    /// How the way on was chosen: by the cosine, or by photons.
+    chosen: Chosen,
     /// Samples share light with those alone for which all beyond the far surface counts the same.
     kind: Kind,
 }
@@ -97,7 +97,7 @@ impl Path {
                 sample.is_beyond = true;
                 if is_diffuse && !surface.split.specular {
                     sample.far = Some(Far { point, ng: lambert.normal() });
-                    if !near.by_cosine {
+                    if !near.chosen.is_own {
                         reuse.strays.push(nth);
                     }
                     reuse.put_by(lane, carrier);
@@ -109,8 +109,8 @@ impl Path {
                 let met = branch.scattered + branch.mirrored;
                 let bounded = if self.depth == u32::MAX { 0 } else { met };
                 let kind = (bounded, branch.trail.state());
-                let (chance, by_cosine) = (1.0, true);
-                sample.near = Some(Near { point, lambert, throughput, chance, by_cosine, kind });
+                let chosen = Chosen::OWN;
+                sample.near = Some(Near { point, lambert, throughput, chosen, kind });
                 turns.limit(nth, SAFE);
             }
         }
@@ -140,6 +140,16 @@ impl Reuse {
         self.samples.resize(samples, Sample::default());
         self.before.clear();
         self.before.resize(samples * (1 + layers), Rgb::BLACK);
+    }
+
+    /// How the way on of a sample is chosen.
+    #[inline(always)]
+    pub fn choose(&mut self, sample: usize, chosen: Chosen) {
+        if let Some(Sample { near: Some(near), is_beyond: false, .. }) =
+            self.samples.get_mut(sample)
+        {
+            near.chosen = chosen;
+        }
     }
 
     /// Takes their ways on from paths whose light others bring.
@@ -185,7 +195,7 @@ impl Reuse {
             beyond.push(std::mem::replace(&mut carrier.radiance, before[0]));
             beyond.extend_from_slice(&carrier.layers);
             carrier.layers.copy_from_slice(&before[1..]);
-            if !near.by_cosine {
+            if !near.chosen.is_own {
                 beyond.truncate(first);
                 continue;
             }
