@@ -4,9 +4,20 @@
 //! in common for long. They depend on the film, the seed and the sample alone: a part of a film that
 //! is rendered by itself has those that the whole would have.
 
-use super::Film;
-use super::window::{TILE, Tile};
+use super::window::TILE;
+use super::{Film, Tile};
 use crate::math::random;
+
+/// Pixels along each side of a cell. What noise a cell has in common is seen as a square at its edges;
+/// that of more pixels is less, and pixels far from each other share less light.
+const CELL: u64 = 32;
+
+impl Tile {
+    /// The cell that a tile is in, by its column and row.
+    pub fn cell(&self) -> [u64; 2] {
+        [self.x0 / CELL, self.y0 / CELL]
+    }
+}
 
 /// The groups of the cell that a tile is in.
 pub struct Groups {
@@ -23,10 +34,10 @@ pub struct Groups {
 impl Groups {
     /// Groups of so many pixels, 1 or more, by a seed.
     pub fn new(film: &Film, tile: &Tile, size: usize, seed: u64) -> Self {
-        let first = [tile.x0, tile.y0].map(|from| from / TILE * TILE);
+        let first = tile.cell().map(|nth| nth * CELL);
         let [width, height] = film.size;
-        let columns = first[0]..width.min(first[0] + TILE);
-        let rows = first[1]..height.min(first[1] + TILE);
+        let columns = first[0]..width.min(first[0] + CELL);
+        let rows = first[1]..height.min(first[1] + CELL);
         let places: Vec<[u64; 2]> =
             rows.flat_map(|y| columns.clone().map(move |x| [x, y])).collect();
         let key = random::at(random::mix(seed), film.index(first[0], first[1]));
@@ -35,13 +46,18 @@ impl Groups {
 
     /// The groups of a sample, by its number.
     pub fn of(&mut self, sample: u64) -> impl Iterator<Item = &[[u64; 2]]> {
-        let (count, key) = (self.places.len() as u32, random::at(self.key, sample));
-        for (nth, place) in self.places.iter().enumerate() {
-            self.turn[random::shuffled(nth as u32, count, key) as usize] = *place;
+        let key = random::at(self.key, sample);
+        self.turn.copy_from_slice(&self.places);
+        for nth in (1..self.turn.len()).rev() {
+            let bits = random::mix(key.wrapping_add(nth as u64)) >> 32;
+            self.turn.swap(nth, (bits * (nth as u64 + 1) >> 32) as usize);
         }
         self.turn.chunks(self.size)
     }
 }
+
+// No tile is in two cells.
+const _: () = assert!(CELL.is_multiple_of(TILE));
 
 #[cfg(test)]
 mod tests {
@@ -57,7 +73,10 @@ mod tests {
             let mut groups = Groups::new(film, tile, 7, 3);
             groups.of(sample).map(<[_]>::to_vec).collect::<Vec<_>>()
         };
-        film.tiles().iter().flat_map(of).collect()
+        let mut cells: Vec<Tile> = film.tiles();
+        cells.sort_by_key(Tile::cell);
+        cells.dedup_by_key(|tile| tile.cell());
+        cells.iter().flat_map(of).collect()
     }
 
     #[test]

@@ -3,15 +3,17 @@
 //! A pass is a function of the world and a range of samples. Tiles are computed apart, each by
 //! one thread from its first sample to its last, so nothing depends on which thread does which.
 
+mod batch;
+
+use std::collections::HashMap;
 use std::ops::Range;
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::World;
-use super::film::{Begun, Groups, Taken, Tile};
+use super::film::{Begun, Taken, Tile};
 use super::integrators::{GiveUp, Wave};
-use crate::math::Rgb;
 
 /// What a pass is asked to do.
 pub struct Job<'a> {
@@ -81,7 +83,7 @@ impl Counts {
 
 /// Takes the job's samples of every pixel of its tiles: the sums of each tile's block, with what
 /// was taken before. A tile is None if the job was cancelled before its end. `follower` makes for each
-/// tile what follows the samples of a wave, where groups of so many pixels are to be together.
+/// part of the film what follows the samples of a wave, where groups of so many pixels are together.
 pub fn pass<F>(
     world: &World,
     job: &Job,
@@ -92,150 +94,43 @@ where
     F: FnMut(&mut Wave),
 {
     let tiles = world.film.tiles();
-    job.tiles
-        .par_iter()
+    // Each tile by itself; of those of a cell, where groups are, the first for all.
+    let mut first = HashMap::new();
+    let mut parts: Vec<Vec<usize>> = Vec::new();
+    for (nth, &index) in job.tiles.iter().enumerate() {
+        let part = if group > 1 { tiles[index].cell() } else { [nth as u64, 0] };
+        let part = *first.entry(part).or_insert(parts.len());
+        if part == parts.len() {
+            parts.push(Vec::new());
+        }
+        parts[part].push(nth);
+    }
+    let taken: Vec<(usize, Option<Begun>)> = parts
+        .into_par_iter()
         .with_max_len(1)
-        .map(|&index| {
-            if (job.cancelled)(0) {
-                return None;
-            }
-            let tile = &tiles[index];
-            let sums = one(world, job, (tile, group), job.taken.begun(index), follower())?;
-            (job.advance)(tile.pixels() * (job.samples.end - job.samples.start));
-            Some(sums)
-        })
-        .collect()
-}
-
-/// The samples of one tile, in groups of so many pixels; None if one of them was given up.
-fn one(
-    world: &World,
-    job: &Job,
-    (tile, group): (&Tile, usize),
-    from: Option<&Begun>,
-    mut follow: impl FnMut(&mut Wave),
-) -> Option<Begun> {
-    let rhythm = world.sampler.rhythm();
-    let block = job.samples.start / rhythm.block;
-    let fresh = || Begun::new([tile.pixels() as usize, world.film.layers], block, rhythm);
-    let mut begun = from.cloned().unwrap_or_else(fresh);
-    let mut wave = Wave::new(world, Some(job.cancelled));
-    let mut batch = Batch::default();
-    if group == 1 {
-        // The samples of a pixel, then those of the next.
-        for (x, y) in tile.places() {
-            for number in job.samples.clone() {
-                batch.push(tile, number, &[[x, y]]);
-                if batch.is_full(group) {
-                    batch.take(world, job.seed, (&mut wave, &mut follow), &mut begun)?;
-                }
-            }
-        }
-    } else {
-        let mut groups = Groups::new(&world.film, tile, group, job.seed);
-        for number in job.samples.clone() {
-            for pixels in groups.of(number) {
-                batch.push(tile, number, pixels);
-                if batch.is_full(group) {
-                    batch.take(world, job.seed, (&mut wave, &mut follow), &mut begun)?;
-                }
-            }
-        }
-    }
-    batch.take(world, job.seed, (&mut wave, &mut follow), &mut begun)?;
-    Some(begun)
-}
-
-/// Samples that are to be taken together.
-#[derive(Default)]
-struct Batch {
-    samples: Vec<Sample>,
-    /// Where each group of them ends.
-    ends: Vec<usize>,
-}
-
-/// A sample of a pixel.
-struct Sample {
-    /// Number of the pixel in its tile; None: it is beside it, and only others want its light.
-    index: Option<usize>,
-    /// Its place on the whole film.
-    pixel: [u64; 2],
-    /// Number of the sample, from 0.
-    number: u64,
-}
-
-impl Batch {
-    /// Adds a sample of each pixel of a group, if any of them is in the tile.
-    fn push(&mut self, tile: &Tile, number: u64, pixels: &[[u64; 2]]) {
-        let first = self.samples.len();
-        let samples = pixels.iter();
-        self.samples.extend(samples.map(|&pixel| Sample { index: tile.index(pixel), pixel, number }));
-        if self.samples[first..].iter().all(|sample| sample.index.is_none()) {
-            return self.samples.truncate(first);
-        }
-        self.ends.push(self.samples.len());
-    }
-
-    /// Whether there is no place for one more group of that size.
-    fn is_full(&self, group: usize) -> bool {
-        self.samples.len() + group > Wave::MOST
-    }
-
-    /// Takes them, and adds them to their pixels in their order. None if one of them was given up.
-    fn take(
-        &mut self,
-        world: &World,
-        seed: u64,
-        (wave, follow): (&mut Wave, &mut impl FnMut(&mut Wave)),
-        begun: &mut Begun,
-    ) -> Option<()> {
-        let samples = self.samples.iter().map(|sample| (sample.pixel, sample.number));
-        wave.begin(seed, samples, &self.ends);
-        follow(wave);
-        if wave.given_up {
-            return None;
-        }
-        let rhythm = world.sampler.rhythm();
-        let layers = world.film.layers;
-        let mut counts = *begun.counts();
-        let mut brought = wave.brought();
-        for of_pixel in self.samples.chunk_by(|a, b| a.index == b.index) {
-            let brought = brought.by_ref().take(of_pixel.len());
-            let Some(index) = of_pixel[0].index else {
-                brought.for_each(drop);
-                continue;
+        .flat_map_iter(|part| {
+            let of = |nth: &usize| {
+                let index = job.tiles[*nth];
+                (tiles[index], job.taken.begun(index))
             };
-            let mut pixel = begun.pixel(index);
-            for (sample, (carrier, weight)) in of_pixel.iter().zip(brought) {
-                counts.rays += 1;
-                counts.shadow_rays += carrier.shadow_rays;
-                let weighed = |radiance: Rgb| {
-                    let [r, g, b] = radiance.to_array();
-                    [weight * f64::from(r), weight * f64::from(g), weight * f64::from(b)]
-                };
-                let value = if carrier.radiance.is_finite() {
-                    let sums = begun.layers(index, layers);
-                    for (sum, layer) in sums.iter_mut().zip(&carrier.layers) {
-                        let value = weighed(*layer);
-                        (0..3).for_each(|channel| sum[channel] += value[channel]);
-                    }
-                    weighed(carrier.radiance)
-                } else {
-                    let ([x, y], object) = (sample.pixel, carrier.object);
-                    let first = Place { y, x, sample: sample.number, object };
-                    let invalid = Some(Invalid { count: 1, first });
-                    counts.add(&Counts { invalid, ..Counts::default() });
-                    [0.0; 3]
-                };
-                pixel.add(value, sample.number % rhythm.block, rhythm);
+            let of: Vec<(Tile, Option<&Begun>)> = part.iter().map(of).collect();
+            let sums = match (job.cancelled)(0) {
+                true => None,
+                false => batch::take(world, job, &of, group, follower()),
+            };
+            if sums.is_some() {
+                let pixels: u64 = of.iter().map(|(tile, _)| tile.pixels()).sum();
+                (job.advance)(pixels * (job.samples.end - job.samples.start));
             }
-            begun.put(index, &pixel);
-        }
-        *begun.counts() = counts;
-        self.samples.clear();
-        self.ends.clear();
-        Some(())
+            let sums = sums.map_or(vec![None; part.len()], |sums| sums.into_iter().map(Some).collect());
+            part.into_iter().zip(sums)
+        })
+        .collect();
+    let mut all = vec![None; job.tiles.len()];
+    for (nth, begun) in taken {
+        all[nth] = begun;
     }
+    all
 }
 
 /// The most threads for each processor: more of them only take each other's time.
