@@ -78,8 +78,8 @@ vocabulary! {
             /// Where paths look for light beside the directions that surfaces scatter it from: the
             /// noise changes, the picture does not.
             guide: Guide = "off";
-            /// How many pixels share the light that comes from surface to surface: the noise changes,
-            /// the picture does not. One has what it finds by itself alone.
+            /// How many pixels share what each of them finds of the light that comes from surface to
+            /// surface: the noise changes, the picture does not. At 1 none do.
             reuse: Count = "1", Range::between(1.0, 64.0);
             /// How often light may be scattered. Light from a lamp to a surface to the camera was
             /// scattered once.

@@ -67,6 +67,7 @@ pub fn path() -> scene::Path {
         splits: at(splits(0, 0, 1)),
         roulette: at(scene::Roulette::Throughput),
         roulette_after: at(scene::Count(3)),
+        reuse: at(scene::Count(1)),
         guide: at(scene::Guide::Off),
         depth: at(scene::Depth::Unlimited),
         paths: at(None),

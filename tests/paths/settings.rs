@@ -80,9 +80,10 @@ const AMBIENT: [Change<scene::Ambient>; 10] = [
     ("splits", "specular: 8", |it| it.splits = at(splits(8, 0, 1))),
 ];
 
-/// What of each integrator makes another picture, and not another noise.
+/// What of each integrator makes another picture, and not another noise; and what speaks of several
+/// pixels, of which tests/reuse.rs tells.
 const OTHER_PICTURES: [(&str, &[&str]); 4] = [
-    ("path", &["depth", "paths"]),
+    ("path", &["depth", "paths", "reuse"]),
     ("direct", &["shadows", "area_lights", "environment", "specular_depth", "paths"]),
     ("ambient", &["distance", "direct", "specular_depth", "paths"]),
     ("preview", &[]),

@@ -12,6 +12,7 @@ const LAMPS: &str =
     "It chooses points of lamps, which are objects with an emission; here are none.";
 const MIRRORS: &str = "It speaks of rays that go on by mirrors, glass and metal; here are none.";
 const NEXT_EVENT: &str = "It speaks of lights that are asked; `next_event: off` asks none.";
+const REUSE: &str = "It speaks of light that goes from surface to surface; here is none.";
 const ROULETTE: &str = "It speaks of paths that are ended by chance; `roulette: off` ends none.";
 
 pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
@@ -46,6 +47,9 @@ pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
                 let ends = path.roulette.value != Roulette::Off;
                 said(path.roulette_after.span, ends, "roulette_after", ROULETTE);
                 let caustics = mirrors && (lamps || suns(scene));
+                let indirect = materials().any(|material| material.value.scatters())
+                    && path.depth.most().is_none_or(|most| most > 1);
+                said(path.reuse.span, indirect || path.reuse.0 == 1, "reuse", REUSE);
                 said(path.guide.span, caustics || path.guide.value == Guide::Off, "guide", GUIDE);
             }
             Integrator::Preview(_) => {}

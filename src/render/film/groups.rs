@@ -50,7 +50,7 @@ impl Groups {
         self.turn.copy_from_slice(&self.places);
         for nth in (1..self.turn.len()).rev() {
             let bits = random::mix(key.wrapping_add(nth as u64)) >> 32;
-            self.turn.swap(nth, (bits * (nth as u64 + 1) >> 32) as usize);
+            self.turn.swap(nth, ((bits * (nth as u64 + 1)) >> 32) as usize);
         }
         self.turn.chunks(self.size)
     }

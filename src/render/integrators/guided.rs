@@ -83,6 +83,7 @@ fn way(
 #[inline(always)]
 fn is_led(part: f32, u: [f64; 4]) -> bool {
     u[2] / f64::from(part) < 1.0
+}
 
 #[cfg(test)]
 mod tests {

@@ -25,7 +25,8 @@ pub struct Path {
     pub roulette_after: u32,
     /// How often light is scattered at most, mirrors, glass and metal included.
     pub depth: u32,
-    /// How many pixels share the light between their first surfaces; 1: none does.
+    /// How many pixels share the light that comes to their first diffuse surfaces from others; 1: none
+    /// do.
     pub reuse: u32,
 }
 

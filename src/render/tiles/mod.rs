@@ -122,7 +122,8 @@ where
                 let pixels: u64 = of.iter().map(|(tile, _)| tile.pixels()).sum();
                 (job.advance)(pixels * (job.samples.end - job.samples.start));
             }
-            let sums = sums.map_or(vec![None; part.len()], |sums| sums.into_iter().map(Some).collect());
+            let sums =
+                sums.map_or(vec![None; part.len()], |sums| sums.into_iter().map(Some).collect());
             part.into_iter().zip(sums)
         })
         .collect();

@@ -82,7 +82,10 @@ impl Group {
 
     /// One more far surface, found from the near one of that lane, whose light others are to have as
     /// well, or not. All near ones have come before. Returns how many rays it takes to see them.
-    pub fn push_far(&mut self, far: &Far, by: usize, is_shared: bool) -> u64 {
+    ///
+    /// Where bodies overlap rays pass surfaces that hide light from others: then what was found may
+    /// not be seen, and is that sample's alone.
+    pub fn push_far(&mut self, world: &World, far: &Far, by: usize, is_shared: bool) -> u64 {
         let (asked, first) = (self.asked.len(), self.densities.len());
         let (lanes, reaches) = (&mut self.lanes, far.point.sheet);
         find(far, lanes);
@@ -90,7 +93,7 @@ impl Group {
         for (lane, density) in self.densities[first..].iter_mut().enumerate() {
             if !is_shared || self.kinds[lane] != self.kinds[by] {
                 *density = 0.0;
-            } else if lane != by && *density > 0.0 {
+            } else if (lane != by || world.overlaps.is_some()) && *density > 0.0 {
                 let (origin, direction) = (get(&lanes.origin, lane), get(&lanes.direction, lane));
                 let (t_max, leaves) = (lanes.t_max[lane], lanes.sites.point(lane).sheet);
                 self.rays.push(Ray { origin, direction, t_max, leaves, reaches });
@@ -124,7 +127,7 @@ impl Group {
         let Found { by, is_shared, .. } = self.fars[nth];
         let densities = &self.densities[nth * count..(nth + 1) * count];
         let of_all: f32 = densities.iter().zip(&self.chances).map(|(a, b)| a * b).sum();
-        // Where numbers have no place for them it is that sample's alone.
+        // Where it is not seen, or numbers have no place for them, it is that sample's alone.
         let alone = !(is_shared && densities[by] > 0.0 && of_all < f32::INFINITY);
         let part = move |lane: usize| match alone {
             true if lane == by => 1.0 / self.chances[by],
