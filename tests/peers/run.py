@@ -16,7 +16,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-STEPS = ["agree", "references", "start", "renders", "rays", "alone", "report"]
+STEPS = ["agree", "references", "start", "renders", "rays", "large", "alone", "report"]
 
 
 def options():

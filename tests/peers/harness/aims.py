@@ -11,6 +11,7 @@ def aims(data):
     if data.get("renders"):
         yield from of_renders(data)
     yield from of_scn(data)
+    yield from of_large(data.get("large", {}))
 
 
 def of_rays(data):
@@ -59,3 +60,14 @@ def of_scn(data):
         yield ("their CPU seconds over one's", 1.05, False, cpu["two threads"] / cpu["one thread"])
         yield ("CPU seconds saved by what the blocks do not require, %", 25, True,
                100 * (1 - cpu["two threads"] / cpu["all forced"]))
+
+
+def of_large(found):
+    if "waves" in found:
+        one = found["waves"]
+        for what, key, most in [("resident", "geometry", 150), ("at the peak", "peak", 300)]:
+            yield (f"{one['triangles']:,} triangles, bytes each {what}",
+                   most, False, one[key] / one["triangles"])
+    for name, one in found.items():
+        yield (f"{name}, peak of memory over what `scn plan` said before",
+               1, False, one["peak"] / one["stated"])

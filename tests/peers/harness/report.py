@@ -1,6 +1,6 @@
 """The measurements as a page of Markdown and a plot."""
 
-from . import scenes
+from . import large, scenes
 from .aims import aims
 from .renders import GOAL
 from .rows import ratio, rows
@@ -112,6 +112,8 @@ def page(data, asked):
         lines += ["", *agree_table(data)]
     if data.get("rays"):
         lines += ["", *rays_table(data)]
+    if data.get("large"):
+        lines += ["", *large.table(data["large"])]
     lines += ["", *aims_table(data)]
     return "\n".join(lines) + "\n"
 

@@ -4,7 +4,7 @@ import importlib.util
 import os
 from dataclasses import dataclass
 
-from . import alone, rays, renders, report, scenes
+from . import alone, large, rays, renders, report, scenes
 from .store import Progress, Store, busy, digest, machine
 
 
@@ -65,6 +65,7 @@ def run(asked):
         "start": len(starts) * plan.turns * 0.7,
         "renders": sum(len(bench.of(name)) for name in timed) * plan.turns * plan.budget,
         "rays": 60.0,
+        "large": len(large.SCENES) * large.SECONDS,
         "alone": len(alone.WAYS) * plan.turns * 2.0 + 10,
     }
     progress = Progress(sum(seconds.get(step, 0) for step in asked.steps))
@@ -104,6 +105,9 @@ def run(asked):
                 lambda what: progress.step(plan.budget, what), store.save)
     if "rays" in asked.steps:
         rays.measure(asked.work, plan.rays, store, progress)
+    if "large" in asked.steps:
+        large.measure(
+            bench, asked.work, asked.tiny, store.at("large"), progress, store.save)
     if "alone" in asked.steps:
         alone.ways(bench, plan.size, plan.alone, plan.turns, store.at("ways"),
                    lambda what: progress.step(2, what), store.save)
