@@ -1,6 +1,7 @@
 //! What happens to a path between its rays: each material asked for directions and for what it
-//! scatters, lights chosen and their points sampled; and a whole small picture of diffuse surfaces,
-//! as its plan builds it and with everything put in.
+//! scatters, lights chosen and their points sampled, photons sent, and what they tell asked for; and
+//! whole small pictures: of diffuse surfaces, as their plan builds them and with everything put in, and
+//! of balls of silver and glass, with photons that guide paths and without.
 //!
 //! `cargo bench --bench path`
 
@@ -15,8 +16,10 @@ use glam::{DVec3, Vec2, Vec3};
 use scn::math::{NoProgress, Rgb, random, warp};
 use scn::plan::Plan;
 use scn::prepare::{self, Prepared, Settings};
+use scn::render::World;
 use scn::render::film::Taken;
 use scn::render::geometry::{self, Geometry, Hit, Owner, Primitive, Ray, Shapes};
+use scn::render::guide::{Guide, Lobes};
 use scn::render::lights::{Centre, Lamp, Light, Lights, PointLight, Site};
 use scn::render::materials::{
     Bsdf, Conductor, Dielectric, Diffuse, Emission, Material, Mirror, Mixture, Part, Surface,
@@ -188,31 +191,94 @@ fn light_sample(bencher: Bencher, name: &str) {
     });
 }
 
-// A whole picture.
+// Photons that guide paths.
 
-const BLOCKS: &str = "\
-scn 1 in mm
-use \"scenes/lib/cornell.scn\"
-film: { size: (48, 48) }
-integrator: path
-render picture: blocks {}
-";
+#[divan::bench(sample_count = 10, sample_size = 1)]
+fn guide_build(bencher: Bencher) {
+    let World { geometry, materials, lights, .. } = &BALLS[1].world;
+    bencher.bench_local(|| Guide::build(geometry, materials, lights).is_some());
+}
 
-/// As its plan builds it, and with everything put in.
-static PICTURE: LazyLock<[Prepared; 2]> = LazyLock::new(|| {
-    let shots = shots::open_text(&shots::path("bench.scn"), BLOCKS, &[]);
+/// Places on the walls of the box that photons tell of, and what they tell.
+fn told() -> Vec<(Vec3, &'static Lobes)> {
+    let World { geometry, guide, .. } = &BALLS[1].world;
+    let guide = guide.as_ref().expect("light by silver and glass");
+    let seen = |i| geometry.closest(&Ray::new(Vec3::ZERO, warp::square_to_sphere(square(i))));
+    let told = |place| Some((place, guide.lobes(guide.leaf(place), place)?));
+    (0..).filter_map(seen).filter_map(|hit| told(hit.position)).take(TURN as usize).collect()
+}
+
+fn square(place: u64) -> Vec2 {
+    let [a, b, ..] = numbers(place);
+    Vec2::new(random::unit_f32(a), random::unit_f32(b))
+}
+
+#[divan::bench]
+fn guide_look_up(bencher: Bencher) {
+    let guide = BALLS[1].world.guide.as_ref().expect("light by silver and glass");
+    let places: Vec<Vec3> = told().into_iter().map(|(place, _)| place).collect();
+    bencher.counter(ItemsCount::new(TURN)).bench_local(|| {
+        places.iter().filter(|place| guide.lobes(guide.leaf(**place), **place).is_some()).count()
+    });
+}
+
+#[divan::bench]
+fn guide_sample(bencher: Bencher) {
+    let (told, u): (_, Vec<_>) = (told(), (0..TURN).map(numbers).collect());
+    bencher.counter(ItemsCount::new(TURN)).bench_local(|| {
+        for ((place, lobes), [choice, u, v, _]) in told.iter().zip(&u) {
+            black_box(lobes.sample(black_box(*place), *choice, [*u, *v]));
+        }
+    });
+}
+
+#[divan::bench]
+fn guide_pdf(bencher: Bencher) {
+    let (told, wi): (_, Vec<_>) = (told(), (0..TURN).map(direction).collect());
+    bencher.counter(ItemsCount::new(TURN)).bench_local(|| {
+        for ((place, lobes), wi) in told.iter().zip(&wi) {
+            black_box(lobes.pdf_w(black_box(*place), black_box(*wi)));
+        }
+    });
+}
+
+// Whole pictures.
+
+/// A small picture of a setup of the box, by an integrator.
+fn picture(setup: &str, integrator: &str, forced: bool) -> Prepared {
+    let text = format!(
+        "scn 1 in mm\nuse \"scenes/lib/cornell.scn\"\nfilm: {{ size: (48, 48) }}\n\
+         integrator: {integrator}\nrender picture: {setup} {{}}\n"
+    );
+    let shots = shots::open_text(&shots::path("bench.scn"), &text, &[]);
     let shots = shots.unwrap_or_else(|report| panic!("{report}"));
     let plan = Plan::of(&shots[0].stage);
-    [plan.clone(), plan.forced()].map(|plan| {
-        let settings = Settings::default();
-        let (prepared, _) = prepare::prepare_by(&plan, &shots[0].stage, &settings, &NoProgress);
-        prepared.expect("a scene without faults")
-    })
+    let plan = if forced { plan.forced() } else { plan };
+    let (prepared, _) =
+        prepare::prepare_by(&plan, &shots[0].stage, &Settings::default(), &NoProgress);
+    prepared.expect("a scene without faults")
+}
+
+/// As their plan builds them, and with everything put in.
+static BLOCKS: LazyLock<[Prepared; 2]> =
+    LazyLock::new(|| [false, true].map(|forced| picture("blocks", "path", forced)));
+
+/// By chance alone, and guided by photons.
+static BALLS: LazyLock<[Prepared; 2]> = LazyLock::new(|| {
+    ["path", "path { guide: photons }"].map(|integrator| picture("spheres", integrator, false))
 });
 
 #[divan::bench(args = ["as planned", "everything put in"])]
 fn blocks(bencher: Bencher, how: &str) {
-    let Prepared { world, integrator, .. } = &PICTURE[usize::from(how != "as planned")];
+    pass(bencher, &BLOCKS[usize::from(how != "as planned")]);
+}
+
+#[divan::bench(args = ["by chance", "guided"])]
+fn balls(bencher: Bencher, how: &str) {
+    pass(bencher, &BALLS[usize::from(how != "by chance")]);
+}
+
+fn pass(bencher: Bencher, Prepared { world, integrator, .. }: &Prepared) {
     let taken = Taken::new(&world.film, world.sampler.rhythm(), 0);
     let tiles: Vec<usize> = (0..taken.tiles()).collect();
     let samples = 0..8;
