@@ -62,6 +62,21 @@ fn a_plan_for_machines_has_what_is_documented() {
 }
 
 #[test]
+fn a_render_takes_no_more_memory_than_its_plan_says() {
+    let bench = biased();
+    let options = "biased.scn --only left --threads 8 --samples 64 --set film.size=(128,128)";
+    let run = bench.run(&format!("plan {options} --format json")).well();
+    let plan: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    let run = bench.run(&format!("render {options} --log json")).well();
+    let events = run.stdout.lines().map(|line| serde_json::from_str(line).unwrap());
+    let events: Vec<serde_json::Value> = events.collect();
+    let taken = events.iter().find_map(|event| event["peak_memory"].as_u64());
+    // None where the system does not tell.
+    let said = plan["renders"][0]["memory"]["peak"].as_u64();
+    assert!(taken <= said, "{taken:?}, {said:?}");
+}
+
+#[test]
 fn plans_of_faulty_scenes_and_options_are_refused() {
     let bench = biased();
     bench.put("bad.scn", "scn 1 in m\nintegrator: direct\ncamera: perspective {}\n");

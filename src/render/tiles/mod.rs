@@ -149,6 +149,11 @@ impl Threads {
         rayon::ThreadPoolBuilder::new().num_threads(count).build().ok().map(Self)
     }
 
+    /// How many there are where this is asked.
+    pub fn here() -> usize {
+        rayon::current_num_threads()
+    }
+
     /// Does `work` with these threads, and everything that it spreads over threads.
     pub fn run<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
         self.0.install(work)
