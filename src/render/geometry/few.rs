@@ -13,7 +13,7 @@ use super::doubts::Doubts;
 use super::lanes::{LANES, Portable};
 use super::node::Below;
 use super::packet::{NONE, Packet, parameter};
-use super::plate::Plate;
+use super::plate::{Crossing, Plate};
 use super::ray::{Probe, Ray};
 use super::shapes::{Kind, Primitive, Shapes};
 use super::tree::Tree;
@@ -97,7 +97,9 @@ impl Few {
         (few.plates.len() <= MOST_TRIANGLES).then_some(few)
     }
 
+    /// Adds the triangles of a block, and those that are in one plane one after the other.
     fn add(&mut self, number: usize, block: &Block) {
+        let mut first = self.plates.len();
         for lane in 0..LANES {
             let face = block.face(lane);
             if face.corners[0][0].is_nan() {
@@ -111,6 +113,16 @@ impl Few {
                 primitive: block.primitive(lane),
                 place: super::best::place(number, lane) as u32,
             });
+        }
+        for nth in first + 1..self.plates.len() {
+            let (before, rest) = self.plates.split_at_mut(nth);
+            match rest.iter_mut().position(|plate| plate.join(&mut before[first])) {
+                Some(other) => {
+                    self.plates.swap(nth, nth + other);
+                    self.exact.swap(nth, nth + other);
+                }
+                None => first = nth,
+            }
         }
     }
 
@@ -178,19 +190,24 @@ impl Few {
         let mut most = least;
         let mut plate = wide.splat(f32::from_bits(NOTHING));
         doubts.count = 0;
+        let mut crossing = Crossing::none(wide);
         for leaf in &self.leaves {
             if packet.enters(wide, &leaf.planes, most) == 0 {
                 continue;
             }
             for (number, one) in (leaf.first..).zip(&self.plates[leaf.first..leaf.end]) {
-                let known = one.meet(wide, &packet.beam);
-                let beyond = wide.or(wide.less(most, known.low), wide.less(known.high, zero));
+                if !one.joins {
+                    crossing = one.cross(wide, &packet.beam);
+                }
+                let Crossing { low, high, .. } = crossing;
+                let known = one.meet(wide, &crossing);
+                let beyond = wide.or(wide.less(most, low), wide.less(high, zero));
                 let missed = wide.or(known.outside, beyond);
                 let missed = wide.or(missed, wide.same(leaves, one.primitive));
-                let ahead = wide.and(wide.less(tiny, known.low), wide.less(known.high, least));
+                let ahead = wide.and(wide.less(tiny, low), wide.less(high, least));
                 let met = wide.and(known.inside, ahead);
-                least = wide.select(met, known.low, least);
-                most = wide.select(met, known.high, most);
+                least = wide.select(met, low, least);
+                most = wide.select(met, high, most);
                 plate = wide.select(met, wide.splat(f32::from_bits(number as u32)), plate);
                 let open = !(wide.bits(missed) | wide.bits(met)) & packet.active;
                 doubts.note(number, open, wide.bits(known.inside));
@@ -374,17 +391,22 @@ impl Few {
         let mut any = 0;
         let mut plate = wide.splat(f32::from_bits(NOTHING));
         doubts.count = 0;
+        let mut crossing = Crossing::none(wide);
         for leaf in &self.leaves {
             if packet.enters(wide, &leaf.planes, end) & !any == 0 {
                 continue;
             }
             for (number, one) in (leaf.first..).zip(&self.plates[leaf.first..leaf.end]) {
-                let known = one.meet(wide, &packet.beam);
-                let beyond = wide.or(wide.less(end, known.low), wide.less(known.high, zero));
+                if !one.joins {
+                    crossing = one.cross(wide, &packet.beam);
+                }
+                let Crossing { low, high, .. } = crossing;
+                let known = one.meet(wide, &crossing);
+                let beyond = wide.or(wide.less(end, low), wide.less(high, zero));
                 let missed = wide.or(known.outside, beyond);
                 let missed = wide.or(missed, wide.same(leaves, one.primitive));
                 let missed = wide.or(missed, wide.same(reaches, one.primitive));
-                let ahead = wide.and(wide.less(tiny, known.low), wide.less(known.high, end));
+                let ahead = wide.and(wide.less(tiny, low), wide.less(high, end));
                 let met = wide.and(known.inside, ahead);
                 plate = wide.select(met, wide.splat(f32::from_bits(number as u32)), plate);
                 let open = !(wide.bits(missed) | wide.bits(met)) & packet.active;

@@ -48,6 +48,8 @@ pub(super) struct Plate {
     weight_error: [f32; 2],
     /// The number of the triangle.
     pub primitive: u32,
+    /// Whether rays cross its plane as that of the one before.
+    pub joins: bool,
 }
 
 /// Rows for coordinates: one more than there are, so that any number of two bits names one.
@@ -64,11 +66,29 @@ pub(super) struct Beam {
 /// The part of the greatest coordinate that [`Beam::reach`] is.
 pub(super) const REACH: f32 = 32.0 * UNIT;
 
-/// What f32 knows of where rays meet a triangle.
-pub(super) struct Known<W: Wide> {
-    /// Bounds of the parameter where the ray meets the plane.
+/// What f32 knows of where rays cross the plane of a triangle.
+#[derive(Clone, Copy)]
+pub(super) struct Crossing<W: Wide> {
+    /// Bounds of the parameter there.
     pub low: W::Values,
     pub high: W::Values,
+    /// Half of what is between them; no number where the ray runs along the plane.
+    error: W::Values,
+    /// The place, along the axes x and y of the plane.
+    place: [W::Values; 2],
+}
+
+impl<W: Wide> Crossing<W> {
+    /// Of no plane.
+    #[inline(always)]
+    pub fn none(wide: W) -> Self {
+        let zero = wide.splat(0.0);
+        Self { low: zero, high: zero, error: zero, place: [zero; 2] }
+    }
+}
+
+/// What f32 knows of where rays pass a triangle.
+pub(super) struct Known<W: Wide> {
     /// Where the ray certainly passes outside of the edges.
     pub outside: W::Mask,
     /// Where it certainly passes inside of them.
@@ -107,13 +127,27 @@ impl Plate {
             weights: [second.map(|w| w as f32), third.map(|w| w as f32)],
             height_error: sure(12.0 * unit * k.abs() + far + LEAST),
             primitive: primitive.bits(),
+            joins: false,
             weight_error: [sure(3.0 * factor), sure(8.0 * unit * start + factor * far)],
         }
     }
 
-    /// What is known of where rays meet it.
+    /// Names itself one that is crossed just as `first` is, and in whose place that may be asked, if
+    /// their planes are the same to the bit: they mostly are of two that are a rectangle along the
+    /// axes. The first is then unsure enough for both.
+    pub fn join(&mut self, first: &mut Self) -> bool {
+        self.joins = self.axes == first.axes
+            && self.plane == first.plane
+            && (self.height_error + first.height_error).is_finite();
+        if self.joins {
+            first.height_error = first.height_error.max(self.height_error);
+        }
+        self.joins
+    }
+
+    /// What is known of where rays cross its plane.
     #[inline(always)]
-    pub fn meet<W: Wide>(&self, wide: W, beam: &Beam) -> Known<W> {
+    pub fn cross<W: Wide>(&self, wide: W, beam: &Beam) -> Crossing<W> {
         let [x, y, z] = self.axes;
         let (x, y, z) = (usize::from(x) % AXES, usize::from(y) % AXES, usize::from(z) % AXES);
         let (ox, oy, oz) =
@@ -129,15 +163,7 @@ impl Plate {
         let steepness = wide.mul_add(ny, dy, wide.mul_add(nx, dx, dz));
         let inverse = wide.div(wide.splat(1.0), steepness);
         let t = wide.mul(height, inverse);
-        let px = wide.mul_add(t, dx, ox);
-        let py = wide.mul_add(t, dy, oy);
-        let [[ux, uy, u], [vx, vy, v]] = self.weights;
-        let u = wide.mul_add(wide.splat(uy), py, wide.splat(u));
-        let v = wide.mul_add(wide.splat(vy), py, wide.splat(v));
-        let u = wide.mul_add(wide.splat(ux), px, u);
-        let v = wide.mul_add(wide.splat(vx), px, v);
-        let w = wide.sub(wide.sub(wide.splat(1.0), u), v);
-        let least = wide.min(wide.min(u, v), w);
+        let place = [wide.mul_add(t, dx, ox), wide.mul_add(t, dy, oy)];
         // How much t may be off; no number where the ray runs along the plane.
         let spread = wide.abs(inverse);
         let error = wide.add(wide.splat(self.height_error), wide.load(&beam.reach));
@@ -145,11 +171,23 @@ impl Plate {
         let error = wide.mul(error, spread);
         let along = wide.less(wide.splat(1.0 / (64.0 * UNIT)), spread);
         let error = wide.select(along, wide.splat(f32::NAN), error);
+        Crossing { low: wide.sub(t, error), high: wide.add(t, error), error, place }
+    }
+
+    /// What is known of where rays pass it that cross its plane so.
+    #[inline(always)]
+    pub fn meet<W: Wide>(&self, wide: W, crossing: &Crossing<W>) -> Known<W> {
+        let [px, py] = crossing.place;
+        let [[ux, uy, u], [vx, vy, v]] = self.weights;
+        let u = wide.mul_add(wide.splat(uy), py, wide.splat(u));
+        let v = wide.mul_add(wide.splat(vy), py, wide.splat(v));
+        let u = wide.mul_add(wide.splat(ux), px, u);
+        let v = wide.mul_add(wide.splat(vx), px, v);
+        let w = wide.sub(wide.sub(wide.splat(1.0), u), v);
+        let least = wide.min(wide.min(u, v), w);
         let [factor, start] = self.weight_error;
-        let edge = wide.mul_add(wide.splat(factor), error, wide.splat(start));
+        let edge = wide.mul_add(wide.splat(factor), crossing.error, wide.splat(start));
         Known {
-            low: wide.sub(t, error),
-            high: wide.add(t, error),
             outside: wide.less(wide.add(least, edge), wide.splat(0.0)),
             inside: wide.less(edge, least),
         }
@@ -215,7 +253,8 @@ mod tests {
             });
             let mut packet = Packet::EMPTY;
             packet.fill::<Portable>(&rays);
-            let known = plate.meet(Portable, &packet.beam);
+            let crossing = plate.cross(Portable, &packet.beam);
+            let known = plate.meet(Portable, &crossing);
             for (lane, ray) in rays.iter().enumerate() {
                 let (weights, t) = exact(ray, [a, b, c]);
                 let least = weights.into_iter().fold(f64::INFINITY, f64::min);
@@ -228,10 +267,27 @@ mod tests {
                 } else {
                     open += 1;
                 }
-                let (low, high) = (f64::from(known.low[lane]), f64::from(known.high[lane]));
+                let (low, high) = (f64::from(crossing.low[lane]), f64::from(crossing.high[lane]));
                 assert!(!(t < low || t > high), "{t} in {low} to {high}: {ray:?} {face:?}");
             }
         }
         assert!(inside > 20_000 && outside > 25_000, "{inside} {outside} {open}");
+    }
+
+    #[test]
+    fn the_two_triangles_of_a_wall_are_crossed_together() {
+        let plate = |corners: [[f32; 3]; 3]| {
+            let face = Face { corners };
+            Plate::new(&face, face.exact_normal().into(), Primitive::new(Kind::Triangle, 0))
+        };
+        let [a, b, c, d] = [[0.1, 0.0, 5.3], [4.7, 0.0, 5.3], [4.7, 3.1, 5.3], [0.1, 3.1, 5.3]];
+        let mut first = plate([a, b, c]);
+        let least = first.height_error;
+        let mut far = plate([a.map(|x| 9.0 * x), c, d]);
+        assert!(!far.join(&mut first) && first.height_error == least);
+        let mut second = Plate { height_error: 2.0 * least, ..plate([a, c, d]) };
+        assert!(second.join(&mut first) && first.height_error == 2.0 * least);
+        let mut unsure = Plate { height_error: f32::NAN, ..second };
+        assert!(!unsure.join(&mut first));
     }
 }

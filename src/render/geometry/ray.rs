@@ -25,7 +25,7 @@ pub struct Ray {
 impl Ray {
     /// A ray without end, from no surface that is known.
     #[inline]
-    pub fn new(origin: Vec3, direction: Vec3) -> Self {
+    pub const fn new(origin: Vec3, direction: Vec3) -> Self {
         let (leaves, reaches) = (Sheet::NONE, Sheet::NONE);
         Self { origin, direction, t_max: f32::INFINITY, leaves, reaches }
     }
@@ -70,7 +70,7 @@ pub struct Point {
 impl Point {
     /// A point on no surface: a camera, or a lamp without extent.
     #[inline]
-    pub fn free(position: Vec3) -> Self {
+    pub const fn free(position: Vec3) -> Self {
         Self { position, error: Vec3::ZERO, ng: Vec3::ZERO, sheet: Sheet::NONE }
     }
 
