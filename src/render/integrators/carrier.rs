@@ -1,5 +1,7 @@
 //! What a sample carries along: what it found, and by which paths.
 
+use glam::Vec3;
+
 use super::traced::{Source, Tracing};
 use crate::math::Rgb;
 use crate::math::paths::{Automaton, End, Event};
@@ -123,29 +125,37 @@ impl<'w> Carrier<'w> {
         Trail::START
     }
 
-    /// A path goes on by one more event, where it has hit a surface.
+    /// A path goes on by one more event, at the position of a surface.
     #[inline]
-    pub fn after(&mut self, trail: Trail, event: Event, hit: &Hit) -> Trail {
+    pub fn after(&mut self, trail: Trail, event: Event, position: Vec3) -> Trail {
         let state = self.paths.map_or(trail.state, |paths| paths.after(trail.state, event));
         let last = match &mut self.traced {
             None => trail.last,
-            Some(traced) => traced.after(trail.last, event, hit.position),
+            Some(traced) => traced.after(trail.last, event, position),
         };
         Trail { state, last }
     }
 
-    /// A branch goes on behind an event. Whether it is to be followed: not if nothing is shown of
-    /// its path, however it goes on.
+    /// A branch goes on behind an event at the position of a surface. Whether it is to be followed: not
+    /// if nothing is shown of its path, however it goes on. All of the hit is asked for where bodies
+    /// overlap.
     #[inline]
-    pub(super) fn behind(&mut self, branch: &mut Branch, event: Event, hit: &Hit) -> bool {
+    pub(super) fn behind<'h>(
+        &mut self,
+        branch: &mut Branch,
+        (event, position): (Event, Vec3),
+        hit: impl FnOnce() -> Option<&'h Hit>,
+    ) -> bool {
         self.followed += 1;
         if self.followed.is_multiple_of(PATIENCE) && self.gives_up() {
             return false;
         }
-        if let (Some(overlaps), Event::SpecularTransmission) = (self.overlaps, event) {
+        if let (Some(overlaps), Event::SpecularTransmission) = (self.overlaps, event)
+            && let Some(hit) = hit()
+        {
             branch.inside = overlaps.beyond(branch.inside, hit, branch.ray.direction);
         }
-        branch.trail = self.after(branch.trail, event, hit);
+        branch.trail = self.after(branch.trail, event, position);
         !self.paths.is_some_and(|paths| paths.is_dead(branch.trail.state))
     }
 
@@ -163,7 +173,7 @@ impl<'w> Carrier<'w> {
 
     /// The same, and it is followed later.
     pub(super) fn follow(&mut self, mut branch: Branch, event: Event, hit: &Hit) {
-        if self.behind(&mut branch, event, hit) {
+        if self.behind(&mut branch, (event, hit.position), || Some(hit)) {
             self.waiting.push(branch);
         }
     }
@@ -211,21 +221,43 @@ impl<'w> Carrier<'w> {
 }
 
 impl Branch {
+    /// Not begun.
+    pub const BLANK: Self = Self {
+        ray: Ray::new(Vec3::ZERO, Vec3::Z),
+        throughput: Rgb::ONE,
+        squeeze: 1.0,
+        trail: Trail::START,
+        site: Site::free(Vec3::ZERO),
+        pdf_w: 0.0,
+        specular_splits: 0,
+        diffuse_splits: 0,
+        scattered: 0,
+        mirrored: 0,
+        inside: 0,
+    };
+
     /// The camera's ray.
     pub fn first(world: &World, ray: &Ray, trail: Trail) -> Self {
-        Self {
-            ray: *ray,
-            throughput: Rgb::ONE,
-            squeeze: 1.0,
-            trail,
-            site: Site::free(ray.origin),
-            pdf_w: 0.0,
-            specular_splits: 0,
-            diffuse_splits: 0,
-            scattered: 0,
-            mirrored: 0,
-            inside: world.overlaps.as_ref().map_or(0, |overlaps| overlaps.camera),
-        }
+        let mut branch = Self::BLANK;
+        branch.begin(world, ray, trail);
+        branch
+    }
+
+    /// Becomes the camera's ray. In its place: one that is put together elsewhere is copied, and each
+    /// copy waits until all of it is written.
+    #[inline(always)]
+    pub fn begin(&mut self, world: &World, ray: &Ray, trail: Trail) {
+        self.ray = *ray;
+        self.throughput = Rgb::ONE;
+        self.squeeze = 1.0;
+        self.trail = trail;
+        self.site = Site::free(ray.origin);
+        self.pdf_w = 0.0;
+        self.specular_splits = 0;
+        self.diffuse_splits = 0;
+        self.scattered = 0;
+        self.mirrored = 0;
+        self.inside = world.overlaps.as_ref().map_or(0, |overlaps| overlaps.camera);
     }
 
     /// The first surface that the ray meets.

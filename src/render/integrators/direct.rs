@@ -64,7 +64,7 @@ impl Direct {
             let bsdf = M::at(material, &hit, -branch.ray.direction);
             let site = Site::new(&hit, &bsdf);
             if let Some(event) = bsdf.scatters() {
-                let trail = carrier.after(branch.trail, event, &hit);
+                let trail = carrier.after(branch.trail, event, hit.position);
                 if !carrier.is_hidden(trail) {
                     let on = (trail, branch.throughput);
                     self.scattered(world, (&site, &bsdf), stream, on, carrier);

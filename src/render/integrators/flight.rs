@@ -16,8 +16,11 @@ use crate::render::materials::{MOST_RANKS, Many, Matter};
 
 /// The paths in flight, and what they meet in a turn. Kept from wave to wave, for its memory.
 pub struct Flight<M: Matter> {
-    /// Of each sample that has begun the branch that is followed, by number of the sample.
+    /// Of each sample that has begun the branch that is followed, by number of the sample; what is
+    /// beyond is of waves before.
     pub(super) branches: Vec<Branch>,
+    /// So many have.
+    begun: usize,
     /// The samples that are on their way, at most one for each lane.
     pub(super) lanes: Vec<usize>,
     /// Those that will have one in the next turn.
@@ -73,6 +76,7 @@ impl<M: Matter> Flight<M> {
     pub fn new() -> Self {
         Self {
             branches: Vec::new(),
+            begun: 0,
             lanes: Vec::new(),
             next: Next::default(),
             rays: Vec::new(),
@@ -94,17 +98,21 @@ impl<M: Matter> Flight<M> {
 
     /// Begins a wave.
     pub(super) fn begin(&mut self) {
-        self.branches.clear();
+        self.begun = 0;
         self.lanes.clear();
     }
 
     /// Begins as many of the samples of a wave as there is room for. Whether any are on their way.
     pub(super) fn enter(&mut self, wave: &mut Wave) -> bool {
-        let first = self.branches.len();
+        let first = self.begun;
         let end = wave.rays.len().min(first + LANES - self.lanes.len());
+        if self.branches.len() < end {
+            self.branches.resize(end, Branch::BLANK);
+        }
+        self.begun = end;
         for sample in first..end {
             let trail = wave.carriers[sample].start();
-            self.branches.push(Branch::first(wave.world, &wave.rays[sample], trail));
+            self.branches[sample].begin(wave.world, &wave.rays[sample], trail);
             self.lanes.push(sample);
         }
         !self.lanes.is_empty()

@@ -109,19 +109,16 @@ impl Path {
     fn ask<M: Matter>(&self, wave: &mut Wave, flight: &mut Flight<M>) {
         let Some(lighting) = &self.lighting else { return };
         let world = wave.world;
-        let Flight { branches, hits, surfaces, sites, trails, arrivals, lit, .. } = flight;
+        let Flight { branches, surfaces, sites, trails, arrivals, lit, .. } = flight;
         let (turns, questions) = (&flight.turns, &mut flight.questions);
         let surfaces = &surfaces[sites.lanes()];
         trails.clear();
-        for Surface { lane, place, scatters, .. } in surfaces {
+        for Surface { lane, site, scatters, .. } in surfaces {
             let carrier = &mut wave.carriers[*lane];
-            let trail = match (scatters, &hits[*place]) {
-                (true, Some(hit)) => {
-                    let event = Event::DiffuseReflection;
-                    Some(carrier.after(branches[*lane].trail, event, hit))
-                }
-                _ => None,
-            };
+            let trail = scatters.then(|| {
+                let event = Event::DiffuseReflection;
+                carrier.after(branches[*lane].trail, event, site.point.position)
+            });
             trails.push(trail.filter(|trail| !carrier.is_hidden(*trail)));
         }
         if lighting.is_plain() {
@@ -194,11 +191,11 @@ impl Path {
             parted.by(count, |nth| turns.goes_on(nth) & !surfaces[nth].split.is_any());
         for &nth in going {
             let Surface { lane, place, site, .. } = &surfaces[nth as usize];
-            let Some(hit) = &hits[*place] else { continue };
             let (branch, carrier) = (&mut branches[*lane], &mut wave.carriers[*lane]);
             let (way, ray, throughput) = turns.way(nth as usize, sites);
             branch.take(site, &way, (ray, throughput), 1);
-            match carrier.behind(branch, way.event, hit) {
+            let at = (way.event, site.point.position);
+            match carrier.behind(branch, at, || hits[*place].as_ref()) {
                 true => next.lanes.push(*lane),
                 false => next.end(*lane, branch, carrier),
             }

@@ -106,7 +106,7 @@ impl Site {
 
     /// On no surface.
     #[inline]
-    pub fn free(position: Vec3) -> Self {
+    pub const fn free(position: Vec3) -> Self {
         Self { point: Point::free(position), normal: Vec3::ZERO }
     }
 }

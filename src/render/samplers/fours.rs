@@ -22,8 +22,6 @@ struct Wants {
     dimension: Row<u64>,
     /// Points of `sobol`.
     point: Row<u32>,
-    /// Whether any wants hashes; and whether any wants a point.
-    any: [bool; 2],
 }
 
 /// Nothing, or what is there already.
@@ -41,7 +39,6 @@ impl Default for Fours {
             round: [0; LANES],
             dimension: [0; LANES],
             point: [0; LANES],
-            any: [false; 2],
         };
         Self { count: 0, numbers: [[0.0; LANES]; 4], wants, scrambles: [0; LANES] }
     }
@@ -51,7 +48,6 @@ impl Fours {
     /// Forgets them.
     pub fn clear(&mut self) {
         self.count = 0;
-        self.wants.any = [false; 2];
     }
 
     /// The next four of a stream are wanted, of [`LANES`] at most. Without a jump for those that are
@@ -76,8 +72,6 @@ impl Fours {
         wants.round[lane] = round;
         wants.dimension[lane] = stream.dimension;
         wants.point[lane] = index;
-        wants.any[0] |= !is_point;
-        wants.any[1] |= is_point;
         stream.dimension += 1;
     }
 
@@ -96,11 +90,11 @@ impl Fours {
     /// Finds those of all streams; to be called after the last.
     pub fn draw(&mut self) {
         let Self { count, numbers, wants, scrambles } = self;
-        let [hashes, points] = wants.any;
-        if hashes {
+        let kinds = &wants.kind[..*count];
+        if kinds.contains(&HASHES) {
             hash_all(*count, wants, numbers);
         }
-        if points {
+        if kinds.contains(&POINT) {
             scramble_all(*count, wants, scrambles);
             sobol::fours(*count, &wants.point, scrambles, &wants.kind, numbers);
         }

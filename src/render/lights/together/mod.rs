@@ -120,12 +120,13 @@ impl Sites {
     /// One more that does not ask, after all that do.
     #[inline(always)]
     pub fn add(&mut self, site: &Site) {
-        put(&mut self.position, self.count, site.point.position);
-        put(&mut self.error, self.count, site.point.error);
-        put(&mut self.ng, self.count, site.point.ng);
-        self.sheet[self.count] = site.point.sheet;
-        put(&mut self.normal, self.count, site.normal);
-        self.count += 1;
+        let lane = self.count;
+        put(&mut self.position, lane, site.point.position);
+        put(&mut self.error, lane, site.point.error);
+        put(&mut self.ng, lane, site.point.ng);
+        self.sheet[lane] = site.point.sheet;
+        put(&mut self.normal, lane, site.normal);
+        self.count = lane + 1;
     }
 
     /// The lanes of those that ask.
