@@ -105,6 +105,21 @@ fn whatever_else_paths_do_a_guide_loses_no_light() {
     }
 }
 
+/// Black paint that shines lies where photons land: it may scatter, and does not.
+#[test]
+fn gloss_among_what_photons_tell_of_loses_nothing() {
+    let of = |guide, seeds| {
+        let hand = bright(scene::Path { guide: at(guide), ..path() })
+            .material("black", 0.0, 0.0)
+            .mix("gloss", ["silver", "black"], 0.9)
+            .quad(dvec3(0.0, 0.001, 0.8), DVec3::Z * 0.5, DVec3::X, "gloss");
+        moments(hand, 64, seeds).0
+    };
+    let (plain, guided) = (of(Guide::Off, 0..20), of(Guide::Photons, 100..120));
+    let (z, ..) = welch(&plain, &guided);
+    assert!(z.abs() < 4.0, "{z}, {plain:?}, {guided:?}");
+}
+
 #[test]
 fn a_guide_is_the_same_for_any_number_of_threads_and_anywhere() {
     let run = |threads, hand: Hand| {

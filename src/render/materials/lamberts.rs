@@ -26,6 +26,7 @@ impl Lamberts {
     pub fn put(&mut self, lane: usize, surface: Option<(&Lambert, f32)>) {
         let Some((lambert, chance)) = surface else {
             put(&mut self.albedo, lane, glam::Vec3::ZERO);
+            self.chance[lane] = 0.0;
             return;
         };
         put(&mut self.albedo, lane, lambert.albedo.to_array().into());
