@@ -12,7 +12,7 @@ use crate::bodies::{self, Body, Placed};
 use crate::diag::words::grouped;
 use crate::load::Stage;
 use crate::math::Bounds;
-use crate::scene::{At, Integrator, Light, SunForm};
+use crate::scene::{At, Integrator, Light, Named, Object, SunForm};
 
 /// Of lights that fill less, in steradians, fewer than one path of 15,000 finds one: the sun fills
 /// 6.8e-5.
@@ -20,8 +20,11 @@ const RARE: f64 = 2e-4;
 
 /// One for each such light.
 pub(super) fn biases(stage: &Stage, survey: &Survey, integrator: &At<Integrator>) -> Vec<Bias> {
-    // Photons find what paths do not.
-    if !matches!(integrator.value, Integrator::Path(_)) || integrator.is_guided() {
+    // Photons find what paths do not: those of a sun are sent about what is bounded.
+    let guided = integrator.is_guided();
+    let bounded = |it: &Named<Object>| !matches!(it.value.value, Object::Plane(_));
+    let helped = guided && stage.scene.objects.iter().any(bounded);
+    if !matches!(integrator.value, Integrator::Path(_)) || helped {
         return Vec::new();
     }
     let mirrors = survey.mirrors();
@@ -44,6 +47,12 @@ pub(super) fn biases(stage: &Stage, survey: &Survey, integrator: &At<Integrator>
             ),
             bound: None,
             instead_write: match is_sun {
+                _ if guided => {
+                    "photons are sent from the sun to what is bounded, and here all are planes: write \
+                     `disk` or `quad` in place of the `plane` that mirrors; give the sun a larger \
+                     `half_angle`, which makes its caustics softer and easier to find; or render until \
+                     they are smooth"
+                }
                 true => {
                     "write `guide: photons` in `path`, which sends paths to where this light comes \
                      from; give the sun a larger `half_angle`, which makes its caustics softer and easier \
