@@ -7,7 +7,6 @@ use glam::Vec3;
 
 use super::photons::{Photon, around};
 use crate::math::angles;
-use crate::render::lanes::by_processor;
 
 /// So many photons, and lobes, at most.
 pub(super) const MOST: usize = 32;
@@ -19,9 +18,10 @@ const WIDTH: f32 = 0.5;
 const NARROWEST: f32 = 1e-6;
 const WIDEST: f32 = 1.0;
 
-/// The least and the largest part of all paths that are sent by lobes.
+/// The least and the largest part of all paths that are sent by lobes. If more are, the others weigh so
+/// much more that after some surfaces their noise outweighs what is gained.
 const LEAST_PART: f32 = 0.15;
-const LARGEST_PART: f32 = 0.7;
+const LARGEST_PART: f32 = 0.35;
 
 /// What photons that landed near each other tell: a lobe about the direction from each to the last
 /// mirror or glass it left. As seen from elsewhere, lobes turn towards these places.
@@ -74,8 +74,10 @@ impl Lobes {
         for (lobe, (photon, way)) in photons.iter().zip(&ways).enumerate() {
             let mut apart: Vec<f32> =
                 ways.iter().map(|other| 0.5 * (other - way).length_squared()).collect();
-            apart.sort_unstable_by(f32::total_cmp);
-            let neighbour = apart.get(NEIGHBOUR).copied().unwrap_or(WIDEST);
+            let neighbour = match apart.len() > NEIGHBOUR {
+                true => *apart.select_nth_unstable_by(NEIGHBOUR, f32::total_cmp).1,
+                false => WIDEST,
+            };
             let width = (WIDTH * neighbour).clamp(NARROWEST, WIDEST);
             [lobes.x[lobe], lobes.y[lobe], lobes.z[lobe]] = photon.from.to_array();
             lobes.width[lobe] = width;
@@ -95,10 +97,25 @@ impl Lobes {
         self.part
     }
 
-    /// Density in solid angle of a direction as seen from a place.
+    /// Density in solid angle of a direction as seen from a place. All lobes at once: the compiler makes
+    /// vectors of it where it is part of a function [`by_processor`].
+    ///
+    /// [`by_processor`]: crate::render::lanes
+    #[inline(always)]
     pub fn pdf_w(&self, from: Vec3, wi: Vec3) -> f32 {
         let mut each = [0.0; MOST];
-        densities(self, from, wi, &mut each);
+        for (lobe, each) in each.iter_mut().enumerate() {
+            let x = self.x[lobe] - from.x;
+            let y = self.y[lobe] - from.y;
+            let z = self.z[lobe] - from.z;
+            let nearness = 1.0 / (x * x + y * y + z * z).sqrt().max(f32::MIN_POSITIVE);
+            // By the chord: the cosine of small angles has lost their digits.
+            let x = x * nearness - wi.x;
+            let y = y * nearness - wi.y;
+            let z = z * nearness - wi.z;
+            let apart = 0.5 * (x * x + y * y + z * z) + self.width[lobe];
+            *each = self.scale[lobe] / (apart * apart);
+        }
         // By halves, in an order that vectors have too.
         let mut half = MOST / 2;
         while half > 0 {
@@ -125,25 +142,6 @@ impl Lobes {
         let (x, y) = axis.any_orthonormal_pair();
         let local = [1.0 - apart, sin * turn_cos, sin * turn_sin].map(|part| part as f32);
         (local[0] * axis + local[1] * x + local[2] * y).normalize()
-    }
-}
-
-by_processor! {
-    /// The density of each lobe.
-    #[inline]
-    fn densities(lobes: &Lobes, from: Vec3, wi: Vec3, each: &mut [f32; MOST]) {
-        for (lobe, each) in each.iter_mut().enumerate() {
-            let x = lobes.x[lobe] - from.x;
-            let y = lobes.y[lobe] - from.y;
-            let z = lobes.z[lobe] - from.z;
-            let length = (x * x + y * y + z * z).sqrt().max(f32::MIN_POSITIVE);
-            // By the chord: the cosine of small angles has lost their digits.
-            let x = x / length - wi.x;
-            let y = y / length - wi.y;
-            let z = z / length - wi.z;
-            let apart = 0.5 * (x * x + y * y + z * z) + lobes.width[lobe];
-            *each = lobes.scale[lobe] / (apart * apart);
-        }
     }
 }
 

@@ -11,12 +11,13 @@ pub(super) mod photons;
 
 pub use lobes::Lobes;
 
-use glam::Vec3;
+use glam::{BVec3, Vec3, Vec3Swizzles};
 use rayon::prelude::*;
 
 use super::geometry::{Bounds, Geometry};
-use super::lights::{Lights, Sources};
-use super::materials::Material;
+use super::lanes::{LANES, Row, by_processor, padded};
+use super::lights::{Lights, Sites, Sources};
+use super::materials::{Material, Ways};
 use lobes::MOST;
 use photons::Photon;
 
@@ -91,21 +92,66 @@ impl Guide {
         self.split(2 * node + 2, behind, even);
     }
 
-    /// Number of the leaf that a place belongs to.
+    /// Numbers of the leaves that so many sites belong to.
+    pub fn leaves(&self, sites: &Sites, count: usize) -> Row<u32> {
+        let mut nodes = [0; LANES];
+        search(self, sites, count, &mut nodes);
+        nodes
+    }
+
+    /// Below a node, the one that a place belongs to. Without jumps: no processor foretells them.
     #[inline(always)]
-    pub fn leaf(&self, place: Vec3) -> usize {
-        let mut node = 0;
-        for _ in 0..self.depth {
-            let Branch { at, axis } = self.branches[node];
-            node = 2 * node + 1 + usize::from(place[axis as usize] >= at);
-        }
-        node - self.branches.len()
+    fn below(&self, node: u32, place: Vec3) -> u32 {
+        let Branch { at, axis } = self.branches[node as usize];
+        let along = Vec3::select(BVec3::splat(axis == 1), place.yyy(), place.xxx());
+        let along = Vec3::select(BVec3::splat(axis == 2), place.zzz(), along).x;
+        2 * node + 1 + u32::from(along >= at)
     }
 
     /// What the photons of a leaf tell near a place, if any landed there.
     #[inline(always)]
-    pub fn lobes(&self, leaf: usize, place: Vec3) -> Option<&Lobes> {
-        self.leaves.get(leaf).filter(|lobes| lobes.are_near(place))
+    pub fn lobes(&self, leaf: u32, place: Vec3) -> Option<&Lobes> {
+        self.leaves.get(leaf as usize).filter(|lobes| lobes.are_near(place))
+    }
+
+    /// Densities in solid angle, by what the photons of these leaves tell, of the ways on from sites:
+    /// of some lanes.
+    pub fn pdf_w(&self, lanes: &[u32], leaves: &Row<u32>, (sites, ways): (&Sites, &Ways)) -> Row {
+        let mut pdf_w = [0.0; LANES];
+        densities(self, lanes, leaves, (sites, ways), &mut pdf_w);
+        pdf_w
+    }
+}
+
+by_processor! {
+    #[inline(never)]
+    fn search(guide: &Guide, sites: &Sites, count: usize, nodes: &mut Row<u32>) {
+        // Level by level: one place does not wait for the other.
+        for _ in 0..guide.depth {
+            for (lane, node) in nodes.iter_mut().enumerate().take(padded(count)) {
+                *node = guide.below(*node, sites.point(lane).position);
+            }
+        }
+        let first = guide.branches.len() as u32;
+        nodes.iter_mut().take(padded(count)).for_each(|node| *node -= first);
+    }
+}
+
+by_processor! {
+    #[inline(never)]
+    fn densities(
+        guide: &Guide,
+        lanes: &[u32],
+        leaves: &Row<u32>,
+        of: (&Sites, &Ways),
+        pdf_w: &mut Row,
+    ) {
+        let (sites, ways) = of;
+        for &lane in lanes {
+            let lane = lane as usize;
+            let lobes = &guide.leaves[leaves[lane] as usize];
+            pdf_w[lane] = lobes.pdf_w(sites.point(lane).position, ways.wi(lane));
+        }
     }
 }
 
@@ -122,9 +168,12 @@ fn surface(bounds: &Bounds) -> f32 {
 mod tests {
     use super::*;
     use crate::math::random;
+    use crate::render::lights::Site;
 
     fn found(guide: &Guide, place: Vec3) -> bool {
-        guide.lobes(guide.leaf(place), place).is_some()
+        let mut sites = Sites::default();
+        sites.push(&Site::free(place));
+        guide.lobes(guide.leaves(&sites, 1)[0], place).is_some()
     }
 
     #[test]

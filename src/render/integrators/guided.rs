@@ -1,11 +1,9 @@
 //! Ways on from diffuse surfaces, by their own density and by that of photons.
 
-use glam::Vec3;
-
-use crate::render::guide::{Guide, Lobes};
+use crate::render::guide::Guide;
 use crate::render::lanes::LANES;
 use crate::render::lights::Sites;
-use crate::render::materials::{Lambert, Lamberts, Scattered, Ways};
+use crate::render::materials::{Lamberts, Scattered, Ways};
 use crate::render::samplers::Fours;
 
 /// By what the ways on from surfaces were chosen.
@@ -31,52 +29,48 @@ pub(super) fn ways(
     ways: &mut Ways,
     mut chosen: impl FnMut(usize, Chosen),
 ) {
-    // First where all are: one search does not wait for the other.
-    let mut leaves = [0; LANES];
-    for lane in sites.lanes() {
-        leaves[lane] = guide.leaf(sites.point(lane).position);
-    }
+    let leaves = guide.leaves(sites, sites.lanes().len());
+    let mut guided = [0; LANES];
+    let mut count = 0;
     for lane in sites.lanes() {
         let place = sites.point(lane).position;
         let (lambert, chance) = lamberts.at(lane);
-        if let Some(lobes) = guide.lobes(leaves[lane], place)
-            && chance == 1.0
-        {
-            let (own, some) = ways.at(lane);
-            let own = some.then_some(own);
-            let u = fours.at(lane);
-            ways.put(lane, way(lobes, place, &lambert, own, u));
-            let part = lobes.part();
-            chosen(lane, Chosen { own: 1.0 - part, is_own: !is_led(part, u) });
+        if chance < 1.0 {
+            continue;
         }
+        let Some(lobes) = guide.lobes(leaves[lane], place) else { continue };
+        let (u, part) = (fours.at(lane), lobes.part());
+        let is_led = is_led(part, u);
+        if is_led {
+            let choice = u[2] / f64::from(part);
+            let (way, some) = lambert.towards(lobes.sample(place, choice, [u[0], u[1]]));
+            ways.put(lane, some.then_some(way));
+        }
+        chosen(lane, Chosen { own: 1.0 - part, is_own: !is_led });
+        guided[count] = lane as u32;
+        count += 1;
+    }
+    let guided = &guided[..count];
+    let densities = guide.pdf_w(guided, &leaves, (sites, ways));
+    for lane in guided.iter().map(|&lane| lane as usize) {
+        let (way, some) = ways.at(lane);
+        let Some(lobes) = guide.lobes(leaves[lane], sites.point(lane).position) else { continue };
+        ways.put(lane, some.then(|| weighed(&way, lobes.part(), densities[lane])));
     }
 }
 
-/// A way on from a place, where `own` is that by the surface's own density, and `u` in [0, 1)⁴ what it
-/// was chosen by: the third number chooses between it and the directions of photons.
+/// A way that is found by photons, which have this part of all and this density of its direction, and
+/// by the surface's own density: weighed by both together [Veach95].
 ///
-/// What is found there is weighed by both densities together [Veach95]. The density that it keeps is
-/// the surface's own, though: against lamps that are asked it counts by that, as these do.
-fn way(
-    lobes: &Lobes,
-    place: Vec3,
-    lambert: &Lambert,
-    own: Option<Scattered>,
-    u: [f64; 4],
-) -> Option<Scattered> {
-    let part = lobes.part();
-    let way = if is_led(part, u) {
-        let choice = u[2] / f64::from(part);
-        let (way, some) = lambert.towards(lobes.sample(place, choice, [u[0], u[1]]));
-        some.then_some(way)
-    } else {
-        own
-    }?;
-    let mixed = (1.0 - part) * way.pdf_w + part * lobes.pdf_w(place, way.wi);
+/// The density that it keeps is the surface's own, though: against lamps that are asked it counts by
+/// that, as these do.
+#[inline(always)]
+fn weighed(way: &Scattered, part: f32, pdf_w: f32) -> Scattered {
+    let mixed = (1.0 - part) * way.pdf_w + part * pdf_w;
     // A way that is taken more often brings as much less. More light than elsewhere is expected of
     // it, and roulette is not to end it for that.
     let less = way.pdf_w / mixed;
-    Some(Scattered { weight: way.weight * less.max(1.0), squeeze: less.min(1.0), ..way })
+    Scattered { weight: way.weight * less.max(1.0), squeeze: less.min(1.0), ..*way }
 }
 
 /// Whether the direction of a photon is chosen, which has this part of all, by the third number.
@@ -87,17 +81,21 @@ fn is_led(part: f32, u: [f64; 4]) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec3;
+
     use super::*;
     use crate::math::{Rgb, random};
     use crate::render::geometry::{Geometry, Owner, Ray, Shapes, Triangle};
     use crate::render::guide::photons::Photon;
+    use crate::render::lights::Site;
     use crate::render::materials::{
-        Diffuse, Emission, Material, Matter, OnlyDiffuse, Part, Scatter, Surface,
+        Diffuse, Emission, Lambert, Material, Matter, OnlyDiffuse, Surface,
     };
+    use crate::render::samplers::Sampler;
     use crate::render::textures::Colour;
 
     /// A place on a floor about the origin, with a shading normal so many degrees from +z.
-    fn floor(albedo: Rgb, degrees: f32) -> (Vec3, Lambert) {
+    fn floor(albedo: Rgb, degrees: f32) -> (Site, Lambert) {
         let mut shapes = Shapes::new();
         let corners = [Vec3::NEG_ONE, Vec3::new(2.0, -1.0, -1.0), Vec3::new(-1.0, 2.0, -1.0)]
             .map(|corner| shapes.vertex(corner.with_z(0.0)));
@@ -112,7 +110,8 @@ mod tests {
             before: 0,
             behind: None,
         };
-        (hit.position, OnlyDiffuse::at(&material, &hit, Vec3::Z))
+        let lambert = OnlyDiffuse::at(&material, &hit, Vec3::Z);
+        (Site { point: hit.point(), normal: lambert.side() }, lambert)
     }
 
     /// A guide of photons that came by places about `middle`, in a cube with sides of `spread`.
@@ -133,7 +132,7 @@ mod tests {
     /// angle δ apart, (1 + cos δ)/2 of it. A fiftieth less would show.
     #[test]
     fn of_even_light_a_guide_takes_and_adds_nothing() {
-        const COUNT: u64 = 200_000;
+        const COUNT: u64 = 1500 * LANES as u64;
         let up = Vec3::new(0.2, 0.1, 0.6);
         // Photons from above, from all around above and below, and none from above; many and few.
         let guides = [
@@ -144,25 +143,37 @@ mod tests {
         ];
         let surfaces =
             [(Rgb::ONE, 0.0), (Rgb::new(0.9, 0.5, 0.1), 0.0), (Rgb::grey(0.8), 25.0_f32)];
+        let (mut sites, mut fours) = (Sites::default(), Fours::default());
+        let (mut lamberts, mut found) = (Lamberts::default(), Ways::default());
+        let mut asked = 0;
         for (nth, guide) in guides.iter().enumerate() {
             for (albedo, degrees) in surfaces {
-                let (place, lambert) = floor(albedo, degrees);
-                let lobes = guide.lobes(guide.leaf(place), place).unwrap();
+                let (site, lambert) = floor(albedo, degrees);
                 let (mut sum, mut squares) = ([0.0; 3], [0.0; 3]);
-                for i in 0..COUNT {
-                    let [a, b] = random::unit_pair(random::at(64, i));
-                    let [c, d] = random::unit_pair(random::at(65, i));
-                    let u = [a, b, c, d];
-                    let own = lambert.sample(Part::All, u);
-                    let Some(found) = way(lobes, place, &lambert, own, u) else {
-                        continue;
-                    };
-                    let weight = (found.weight * found.squeeze).to_array().map(f64::from);
-                    for channel in 0..3 {
-                        sum[channel] += weight[channel];
-                        squares[channel] += weight[channel].powi(2);
+                for turn in 0..COUNT / LANES as u64 {
+                    sites.clear();
+                    fours.clear();
+                    for lane in 0..LANES {
+                        sites.push(&site);
+                        lamberts.put(lane, Some((&lambert, 1.0)));
+                        fours.push(&mut Sampler::Independent.stream(64, turn, lane as u64));
+                    }
+                    fours.draw();
+                    found.by_cosine(LANES, &lamberts, &fours);
+                    ways(guide, (&sites, &lamberts), &fours, &mut found, |_, _| asked += 1);
+                    for lane in 0..LANES {
+                        let (way, some) = found.at(lane);
+                        if !some {
+                            continue;
+                        }
+                        let weight = (way.weight * way.squeeze).to_array().map(f64::from);
+                        for channel in 0..3 {
+                            sum[channel] += weight[channel];
+                            squares[channel] += weight[channel].powi(2);
+                        }
                     }
                 }
+                assert_eq!(std::mem::take(&mut asked), COUNT, "{nth}: not guided");
                 let kept = f64::from(0.5 * (1.0 + degrees.to_radians().cos()));
                 for (channel, albedo) in albedo.to_array().into_iter().enumerate() {
                     let mean = sum[channel] / COUNT as f64;

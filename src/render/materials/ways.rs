@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use glam::Vec3;
+
 use super::{Event, Lamberts, Scattered};
 use crate::math::Rgb;
 use crate::render::lanes::{LANES, Row, Rows, by_processor, get, padded, put};
@@ -96,6 +98,12 @@ impl Ways {
         }
     }
 
+    /// The direction of a lane's way.
+    #[inline(always)]
+    pub fn wi(&self, lane: usize) -> Vec3 {
+        get(&self.wi, lane)
+    }
+
     /// The way of a lane, and whether there is one.
     #[inline(always)]
     pub fn at(&self, lane: usize) -> (Scattered, bool) {
@@ -128,7 +136,7 @@ by_processor! {
 
 #[cfg(test)]
 mod tests {
-    use glam::{BVec3, Vec3};
+    use glam::BVec3;
 
     use super::super::{Facing, Lambert};
     use super::*;
