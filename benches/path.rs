@@ -20,7 +20,7 @@ use scn::render::World;
 use scn::render::film::Taken;
 use scn::render::geometry::{self, Geometry, Hit, Owner, Primitive, Ray, Shapes};
 use scn::render::guide::{Guide, Lobes};
-use scn::render::lights::{Centre, Lamp, Light, Lights, PointLight, Site};
+use scn::render::lights::{Centre, Lamp, Light, Lights, PointLight, Site, Sites};
 use scn::render::materials::{
     Bsdf, Conductor, Dielectric, Diffuse, Emission, Material, Mirror, Mixture, Part, Surface,
 };
@@ -217,8 +217,17 @@ fn square(place: u64) -> Vec2 {
 fn guide_look_up(bencher: Bencher) {
     let guide = BALLS[1].world.guide.as_ref().expect("light by silver and glass");
     let places: Vec<Vec3> = told().into_iter().map(|(place, _)| place).collect();
+    // So many at a time, as a render has.
+    let mut sites: Vec<Sites> = Vec::new();
+    for places in places.chunks(100) {
+        let mut some = Sites::default();
+        places.iter().for_each(|place| some.push(&Site::free(*place)));
+        sites.push(some);
+    }
     bencher.counter(ItemsCount::new(TURN)).bench_local(|| {
-        places.iter().filter(|place| guide.lobes(guide.leaf(**place), **place).is_some()).count()
+        sites.iter().for_each(|some| {
+            black_box(guide.leaves(some, some.lanes().len()));
+        });
     });
 }
 

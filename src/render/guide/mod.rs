@@ -92,6 +92,12 @@ impl Guide {
         self.split(2 * node + 2, behind, even);
     }
 
+    /// Number of the leaf that a place belongs to.
+    pub fn leaf(&self, place: Vec3) -> u32 {
+        let last = (0..self.depth).fold(0, |node, _| self.below(node, place));
+        last - self.branches.len() as u32
+    }
+
     /// Numbers of the leaves that so many sites belong to.
     pub fn leaves(&self, sites: &Sites, count: usize) -> Row<u32> {
         let mut nodes = [0; LANES];
@@ -173,7 +179,8 @@ mod tests {
     fn found(guide: &Guide, place: Vec3) -> bool {
         let mut sites = Sites::default();
         sites.push(&Site::free(place));
-        guide.lobes(guide.leaves(&sites, 1)[0], place).is_some()
+        assert_eq!(guide.leaves(&sites, 1)[0], guide.leaf(place));
+        guide.lobes(guide.leaf(place), place).is_some()
     }
 
     #[test]
