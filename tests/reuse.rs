@@ -116,12 +116,12 @@ fn whatever_else_paths_do_they_share_light_and_lose_none() {
             it.roulette = at(scene::Roulette::Off);
             it.depth = at(Depth::Most(5));
         }),
-        ("scattered twice", |it| it.depth = at(Depth::Most(2))),
+        ("scattered thrice", |it| it.depth = at(Depth::Most(3))),
         ("both ways of mirrors", |it| it.splits = at(splits(2, 0, 1))),
         ("two ways from what scatters", |it| it.splits = at(splits(0, 1, 2))),
         ("guided", |it| it.guide = at(scene::Guide::Photons)),
     ];
-    for ((what, change), ball) in changes.into_iter().zip(["worn", "glass"].into_iter().cycle()) {
+    for ((what, change), ball) in changes.into_iter().zip(["worn", "silver", "glass"].into_iter().cycle()) {
         let of = |reuse| room(tracer(reuse, change), ball).prepared();
         let (plain, shared) = (of(1), of(9));
         let once = |prepared| render(prepared, 3, 1, &Patient).picture;
@@ -165,7 +165,7 @@ fn layers_share_as_the_picture_does() {
         path.paths = at(Some(paths(text)));
         hand.prepared()
     };
-    for text in ["L D D E", "L .* D D D S* E"] {
+    for text in ["L D D E", "L D D S E | L D D D E"] {
         assert_same(text, &shown(1, text), &shown(12, text), 16);
     }
     // The picture is the sum of its layers, sample by sample.
