@@ -1,6 +1,6 @@
 """What scn is to reach, and what it does: ratios to peers in the same run, by the clock."""
 
-from .renders import GUIDED
+from .programs import OURS
 from .rows import median, ratio, rows
 
 
@@ -35,7 +35,7 @@ def of_renders(data):
                 if other in found:
                     yield (f"{scene}, samples a second, × {other}'s",
                            least, True, found["scn"].rate / found[other].rate)
-        for ours in ("scn", GUIDED):
+        for ours in OURS:
             if peer in found and ours in found:
                 yield (f"{scene}, time to .01 by {ours}, × {peer}'s",
                        most, False, found[ours].to_goal / found[peer].to_goal)

@@ -30,8 +30,22 @@ class Picture:
     peak: int | None
 
 
-# What makes scn guide paths by photons.
-GUIDE = ["--set", "integrator.guide=photons"]
+# Scn once more, with settings that are not its default: what they are called, and where they pay.
+GUIDE, SHARE = "integrator.guide=photons", "integrator.reuse={}"
+BALLS = ["two_spheres", "gold_and_glass"]
+VARIANTS = {
+    "scn sharing": ("scn, sharing light", [SHARE.format(32)], ["cornell_blocks"]),
+    "scn guided": ("scn, guided by photons", [GUIDE], BALLS),
+    "scn guided sharing": ("scn, guided, sharing light", [GUIDE, SHARE.format(16)], BALLS),
+}
+OURS = ["scn", *VARIANTS]
+
+
+def settings(program):
+    """Arguments that make scn this program."""
+    _, sets, _ = VARIANTS.get(program, (None, [], None))
+    return [word for given in sets for word in ("--set", given)]
+
 
 # How often a program that runs is asked for its memory, in seconds.
 WATCH = 0.002
@@ -75,17 +89,15 @@ class Scn:
         return [self.binary, "render", SCENES, "--only", name, "-o", folder, "--log", "json",
                 "--seed", str(seed), "--samples", str(samples), "--scale", repr(size / 512), *more]
 
-    def render(self, name, samples, seed, size, *more, counted=("rendered",)):
+    def render(self, name, samples, seed, size, *more):
+        """With more arguments; where photons are sent the seconds of that count."""
+        counted = ("built", "rendered") if GUIDE in more else ("rendered",)
         with tempfile.TemporaryDirectory() as folder:
             out, _, cpu, peak = run(self.command(folder, name, samples, seed, size, *more))
             events = [json.loads(line) for line in out.splitlines()]
             wall = sum(e["seconds"] for e in events if e["event"] in counted)
             values = pictures.read(Path(folder) / f"{name}.exr")
         return Picture(values, samples, wall, cpu, peak)
-
-    def guided(self, name, samples, seed, size):
-        """With photons that guide paths; the seconds of sending them count."""
-        return self.render(name, samples, seed, size, *GUIDE, counted=("built", "rendered"))
 
     def pictures(self, names, samples):
         """Renders of scenes.scn by their names."""

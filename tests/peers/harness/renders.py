@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from . import export, scenes, sky, statistics
-from .programs import GUIDE, Scn, Worker, run
+from .programs import OURS, VARIANTS, Scn, Worker, run, settings
 from .reference import Reference, improve
 
 GOAL = 0.01
@@ -20,8 +20,6 @@ PILOT = 16
 MITSUBAS = {"mitsuba llvm": "llvm_ad_rgb", "mitsuba scalar": "scalar_rgb"}
 # Only on this scene: what they call glass and sky is not held to ours.
 OTHERS, OTHERS_ON = ["cycles", "luxcore"], "cornell_blocks"
-# Scn once more, where light comes by mirrors and glass.
-GUIDED, GUIDED_ON = "scn guided", ["two_spheres", "gold_and_glass"]
 
 
 class Bench:
@@ -51,13 +49,10 @@ class Bench:
         """Functions of samples and seed, by the names of programs; and what closes them."""
         opened, renderers = [], {}
         for program in programs:
-            if program == "scn":
-                renderers[program] = lambda samples, seed: self.scn.render(
-                    name, samples, seed, size)
-                continue
-            if program == GUIDED:
-                renderers[program] = lambda samples, seed: self.scn.guided(
-                    name, samples, seed, size)
+            if program in OURS:
+                more = settings(program)
+                renderers[program] = lambda samples, seed, more=more: self.scn.render(
+                    name, samples, seed, size, *more)
                 continue
             scene = self.export(name) if program in MITSUBAS else name
             worker = Worker(program, scene, size, self.work)
@@ -69,8 +64,8 @@ class Bench:
     def of(self, name):
         """The programs that render this scene."""
         others = OTHERS if name == OTHERS_ON else []
-        ours = ["scn", GUIDED] if name in GUIDED_ON else ["scn"]
-        return ours + [p for p in self.programs if p in MITSUBAS or p in others]
+        ours = [program for program, (_, _, on) in VARIANTS.items() if name in on]
+        return ["scn"] + ours + [p for p in self.programs if p in MITSUBAS or p in others]
 
 
 def agree(bench, name, size, side, seeds, samples, found):
@@ -92,9 +87,8 @@ def start(bench, name, size, program):
     """A whole process that renders one sample a pixel and writes the picture: seconds by the clock
     and of the processor, and bytes at the peak."""
     with tempfile.TemporaryDirectory() as folder:
-        if program in ("scn", GUIDED):
-            more = GUIDE if program == GUIDED else []
-            command = bench.scn.command(folder, name, 1, 1, size, *more)
+        if program in OURS:
+            command = bench.scn.command(folder, name, 1, 1, size, *settings(program))
         else:
             script = Path(sysconfig.get_path("scripts")) / "mitsuba"
             command = [sys.executable, script, "-m", MITSUBAS[program], "-Dspp=1", f"-Dsize={size}",
@@ -152,6 +146,6 @@ def measure(bench, name, size, turns, budget, against, found, step, save):
 def whole(program, samples):
     """A number of samples that suits the program: powers of two, and rounds, for scn's points."""
     samples = max(1, round(samples))
-    if program not in ("scn", GUIDED):
+    if program not in OURS:
         return samples
     return samples // 64 * 64 if samples >= 64 else 1 << (samples.bit_length() - 1)

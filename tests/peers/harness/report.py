@@ -2,13 +2,15 @@
 
 from . import large, scenes
 from .aims import aims
+from .programs import VARIANTS
 from .renders import GOAL
 from .rows import ratio, rows
 
 BEGIN, END = "<!-- peers: begin -->", "<!-- peers: end -->"
 PLOT = "pictures/peers.svg"
-NAMES = {"scn": "scn", "scn guided": "scn, guided by photons", "mitsuba llvm": "Mitsuba llvm", "mitsuba scalar": "Mitsuba scalar",
-         "cycles": "Cycles", "luxcore": "LuxCore"}
+NAMES = {"scn": "scn", "mitsuba llvm": "Mitsuba llvm", "mitsuba scalar": "Mitsuba scalar",
+         "cycles": "Cycles", "luxcore": "LuxCore",
+         **{program: title for program, (title, _, _) in VARIANTS.items()}}
 
 
 def figure(value, digits=2):

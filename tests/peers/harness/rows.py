@@ -2,7 +2,8 @@
 
 import statistics as middle
 
-from .renders import GOAL, GUIDED
+from .programs import OURS
+from .renders import GOAL
 from .statistics import mean_error
 
 
@@ -18,7 +19,7 @@ class Row:
         self.program = program
         runs = data["renders"][scene]["runs"][program]
         starts = data.get("start", {}).get(scene, {})
-        # What is no rendering: the same guided or not.
+        # What is no rendering: the same whatever is set.
         alone = starts.get("scn", [])
         starts = starts.get(program, [])
         self.start = median(run["wall"] for run in starts)
@@ -37,7 +38,7 @@ class Row:
     def rendering(self, run, starts):
         """The processor's seconds of rendering alone. Scn's are a whole process's: what one that
         renders a single sample needs is taken off."""
-        if self.program not in ("scn", GUIDED) or run["samples"] < 2 or not starts:
+        if self.program not in OURS or run["samples"] < 2 or not starts:
             return run["cpu"]
         one = median(start["cpu"] for start in starts)
         share = run["samples"] / (run["samples"] - 1)
