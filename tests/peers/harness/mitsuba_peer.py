@@ -6,6 +6,9 @@ import numpy as np
 # Samples of a pixel at a time where all pixels are one wavefront, which is kept in memory.
 PASS = 16
 
+# Seeds of passes lie between those of pictures.
+APART = 1009
+
 
 class Peer:
     def __init__(self, scene, size, variant):
@@ -21,8 +24,9 @@ class Peer:
         at_once, total, done = self.at_once or samples, 0, 0
         while done < samples:
             now = min(at_once, samples - done)
-            # Seeds are hashed: any numbers that are not used twice will do.
-            picture = mi.render(self.scene, spp=now, seed=(seed << 16) + done)
+            # Small numbers: the scalar variant takes them times the number of pixels, and keeps 32
+            # bits of that.
+            picture = mi.render(self.scene, spp=now, seed=seed * APART + done)
             total = total + now * np.array(picture, dtype=np.float64)
             done += now
         return (total / samples)[..., :3], samples
