@@ -121,7 +121,9 @@ fn whatever_else_paths_do_they_share_light_and_lose_none() {
         ("two ways from what scatters", |it| it.splits = at(splits(0, 1, 2))),
         ("guided", |it| it.guide = at(scene::Guide::Photons)),
     ];
-    for ((what, change), ball) in changes.into_iter().zip(["worn", "silver", "glass"].into_iter().cycle()) {
+    for ((what, change), ball) in
+        changes.into_iter().zip(["worn", "silver", "glass"].into_iter().cycle())
+    {
         let of = |reuse| room(tracer(reuse, change), ball).prepared();
         let (plain, shared) = (of(1), of(9));
         let once = |prepared| render(prepared, 3, 1, &Patient).picture;

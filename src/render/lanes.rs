@@ -6,9 +6,9 @@
 
 use glam::Vec3;
 
-/// So many samples are on their way together at most. All that is known of them fits a processor's
-/// nearest memory.
-pub const LANES: usize = 128;
+/// So many samples are on their way together at most. Of fewer the packets of rays are less full; what
+/// is known of more is ever farther from the processor.
+pub const LANES: usize = 256;
 
 /// A number of each sample.
 pub type Row<T = f32> = [T; LANES];

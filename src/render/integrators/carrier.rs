@@ -251,7 +251,8 @@ impl Branch {
         self.throughput = Rgb::ONE;
         self.squeeze = 1.0;
         self.trail = trail;
-        self.site = Site::free(ray.origin);
+        self.site = const { Site::free(Vec3::ZERO) };
+        self.site.point.position = ray.origin;
         self.pdf_w = 0.0;
         self.specular_splits = 0;
         self.diffuse_splits = 0;

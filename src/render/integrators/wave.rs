@@ -32,9 +32,9 @@ pub struct Wave<'w> {
 }
 
 impl<'w> Wave<'w> {
-    /// The most samples of a wave: many times as many as are on their way together, so that it has
-    /// nearly always as many.
-    pub const MOST: usize = 8 * LANES;
+    /// The most samples of a wave: several times as many as are on their way together, so that it has
+    /// mostly as many.
+    pub const MOST: usize = 4 * LANES;
 
     /// Of no samples yet; now and then they ask `give_up` whether to go on.
     pub fn new(world: &'w World, give_up: Option<&'w GiveUp<'w>>) -> Self {
