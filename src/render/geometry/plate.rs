@@ -133,8 +133,8 @@ impl Plate {
     }
 
     /// Names itself one that is crossed just as `first` is, and in whose place that may be asked, if
-    /// their planes are the same to the bit: they mostly are of two that are a rectangle along the
-    /// axes. The first is then unsure enough for both.
+    /// their planes are the same to the bit, as those of a rectangle along the axes can be. The first
+    /// is then unsure enough for both.
     pub fn join(&mut self, first: &mut Self) -> bool {
         self.joins = self.axes == first.axes
             && self.plane == first.plane
