@@ -8,9 +8,10 @@ from .rows import ratio, rows
 
 BEGIN, END = "<!-- peers: begin -->", "<!-- peers: end -->"
 PLOT = "pictures/peers.svg"
-NAMES = {"scn": "scn", "mitsuba llvm": "Mitsuba llvm", "mitsuba scalar": "Mitsuba scalar",
-         "cycles": "Cycles", "luxcore": "LuxCore",
-         **{program: title for program, (title, _, _) in VARIANTS.items()}}
+NAMES = {"scn": "scn", **{program: title for program, (title, _, _) in VARIANTS.items()},
+         "mitsuba llvm": "Mitsuba llvm", "mitsuba scalar": "Mitsuba scalar",
+         "cycles": "Cycles", "luxcore": "LuxCore"}
+COLOURS = ["#0b3c5d", "#1b6ca8", "#5aa9d6", "#9ccfe8", "#d1495b", "#e8a0a8", "#8d99ae", "#c9b458"]
 
 
 def figure(value, digits=2):
@@ -126,7 +127,7 @@ def plot(data, path):
     matplotlib.use("svg")
     from matplotlib import pyplot
     pyplot.rcParams["svg.hashsalt"] = "peers"
-    colours = dict(zip(NAMES, ["#1b6ca8", "#7fb8de", "#d1495b", "#e8a0a8", "#8d99ae", "#c9b458"]))
+    colours = dict(zip(NAMES, COLOURS, strict=True))
     figure_, axes = pyplot.subplots(figsize=(8, 3.6))
     seen, at, ticks = set(), 0.0, []
     for scene in data["renders"]:
