@@ -10,6 +10,7 @@ use glam::{DVec3, dvec3};
 use scn::math::paths::Expression;
 use scn::math::{Picture, Spectrum};
 use scn::measure::statistics::{Moments, agrees, welch};
+use scn::plan::{Feature, Need, Plan};
 use scn::prepare::Prepared;
 use scn::render::film;
 use scn::render::tiles::Threads;
@@ -238,4 +239,41 @@ fn what_is_shared_is_the_same_for_any_threads_passes_and_parts_of_the_film() {
         let (x, y) = (21 + nth % part.width, 9 + nth / part.width);
         assert_eq!(*pixel, whole.pixels[y * whole.width + x], "{x}, {y}");
     }
+}
+
+#[test]
+fn a_plan_tells_whether_there_is_light_to_share() {
+    let need = |hand: Hand| {
+        let plan = Plan::of(&hand.stage());
+        let answer = plan.answers.iter().find(|answer| answer.feature == Feature::Reuse);
+        answer.unwrap().need
+    };
+    let alone = |material: &str| {
+        let hand = Hand::new(tracer(16, |_| ())).background(1.0).material("white", 0.8, 0.0);
+        hand.mirror("silver", 0.9).mix("worn", ["silver", "white"], 0.1).disk(
+            DVec3::ZERO,
+            DVec3::Z,
+            1.0,
+            material,
+        )
+    };
+    let two = |material| alone(material).sphere(DVec3::Z, 0.5, material);
+    assert_eq!(need(room(tracer(16, |_| ()), "glass")), Need::Required);
+    assert_eq!(need(two("white")), Need::Required);
+    let once: fn(&mut scene::Path) = |it| it.depth = at(Depth::Most(1));
+    let nothing = [
+        room(tracer(1, |_| ()), "glass"),
+        room(tracer(16, once), "glass"),
+        alone("white"),
+        two("worn"),
+    ];
+    for (nth, hand) in nothing.into_iter().enumerate() {
+        assert_eq!(need(hand), Need::Unneeded, "{nth}");
+    }
+    // What is left out changes no bit.
+    let of = |reuse| {
+        let hand = two("worn").integrator(tracer(reuse, |_| ())).size(8, 8);
+        render(&hand.prepared(), 3, 8, &Patient).picture
+    };
+    assert_eq!(of(16), of(1));
 }

@@ -27,13 +27,15 @@ pub enum Feature {
     Materials,
     /// Photons are sent before the picture, to tell paths where light comes from.
     Guide,
+    /// Pixels share what they find of the light between surfaces.
+    Reuse,
     /// For each path of light, to which layer it belongs, or whether it is shown at all.
     Paths,
 }
 
 impl Feature {
     /// All of them, in the order in which they are told.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Lights,
         Self::ShadowRays,
         Self::LampPoints,
@@ -43,6 +45,7 @@ impl Feature {
         Self::Bodies,
         Self::Materials,
         Self::Guide,
+        Self::Reuse,
         Self::Paths,
     ];
 
@@ -58,6 +61,7 @@ impl Feature {
             Self::Bodies => "bodies",
             Self::Materials => "materials",
             Self::Guide => "guide",
+            Self::Reuse => "reuse",
             Self::Paths => "paths",
         }
     }
@@ -74,6 +78,7 @@ impl Feature {
             Self::Bodies => "bodies of matter",
             Self::Materials => "materials of any kind",
             Self::Guide => "photons that guide paths",
+            Self::Reuse => "light that pixels share",
             Self::Paths => "paths told apart",
         }
     }
@@ -136,6 +141,7 @@ impl Plan {
                 Feature::Bodies => asked.bodies(),
                 Feature::Materials => asked.materials(),
                 Feature::Guide => asked.guide(),
+                Feature::Reuse => asked.reuse(),
                 Feature::Paths => paths(stage, integrator),
             };
             Answer { feature, need, why, at }
@@ -153,6 +159,12 @@ impl Plan {
         let of = |copies: &&Copies| copies.objects.binary_search(&object).is_ok();
         let copies = self.copies.iter().find(of);
         copies.is_some_and(|copies| self.forced || copies.is_worth_it())
+    }
+
+    /// Whether a scene asks for a feature.
+    pub fn requires(&self, feature: Feature) -> bool {
+        let mut answers = self.answers.iter().filter(|answer| answer.feature == feature);
+        answers.any(|answer| answer.need == Need::Required)
     }
 
     /// Whether a feature is put in.
@@ -308,6 +320,29 @@ impl Asked<'_> {
         }
         let why = format!("light of `{}` may come by way of `{}`", **light, *mirror.object.name);
         (Need::Required, why, Some(guide.span))
+    }
+}
+
+impl Asked<'_> {
+    /// What pixels have to share: light that goes straight from one diffuse surface to another.
+    fn reuse(&self) -> Reason {
+        let unneeded = |why: &str, at| (Need::Unneeded, why.to_string(), at);
+        let path = match self.integrator {
+            Integrator::Path(path) if path.reuse.0 > 1 => path,
+            _ => return unneeded("no `reuse`", None),
+        };
+        if path.depth.most().is_some_and(|most| most < 2) {
+            return unneeded("no light may be scattered twice, by `depth`", Some(path.depth.span));
+        }
+        match self.survey.shared() {
+            None => unneeded("no light goes from one simply diffuse surface to another", None),
+            Some(surface) => {
+                let (pixels, name) = (path.reuse.0, &surface.object.name);
+                let why =
+                    format!("{pixels} pixels share the light of surfaces such as `{}`", **name);
+                (Need::Required, why, Some(path.reuse.span))
+            }
+        }
     }
 }
 

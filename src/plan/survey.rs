@@ -173,6 +173,20 @@ impl<'a> Survey<'a> {
             || scattering.any(|other| !std::ptr::eq(other.object, first.object))
     }
 
+    /// The simply diffuse surface that scatters most, if light may go straight from one such to
+    /// another.
+    pub fn shared(&self) -> Option<&Surface<'a>> {
+        let is_diffuse = |it: &&Surface| {
+            let diffuse = matches!(it.material.value.value, Material::Diffuse(_));
+            diffuse && !it.mixed && it.albedo > 0.0
+        };
+        let diffuse = || self.surfaces.iter().filter(is_diffuse);
+        let brightest = diffuse().rev().max_by(|a, b| a.albedo.total_cmp(&b.albedo))?;
+        let is_another = |other: &Surface| !std::ptr::eq(other.object, brightest.object);
+        let some = !self.is_convex(brightest.object) || diffuse().any(is_another);
+        some.then_some(brightest)
+    }
+
     /// Whether light from one surface of an object may meet another one of it.
     pub fn lights_itself(&self, object: &Named<Object>) -> bool {
         !self.is_convex(object)

@@ -60,7 +60,7 @@ pub(super) fn prepare(integrator: &scene::Integrator, plan: &Plan, scale: f64) -
             roulette: roulette(&path.roulette),
             roulette_after: path.roulette_after.0 as u32,
             depth: depth(&path.depth),
-            reuse: path.reuse.0 as u32,
+            reuse: if plan.requires(Feature::Reuse) { path.reuse.0 as u32 } else { 1 },
         }),
         scene::Integrator::Preview(_) => Integrator::Preview(Preview),
     }

@@ -3,6 +3,7 @@
 use crate::bodies::Placed;
 use crate::diag::{Code, Diagnostic, Span};
 use crate::lint::{Shot, everywhere};
+use crate::plan::{Feature, Plan};
 use crate::scene::{Guide, Integrator, Light, Roulette, Scene, SunForm};
 
 const DIRECT: &str = "It speaks of lights that surfaces ask; `direct: off` asks none.";
@@ -12,7 +13,8 @@ const LAMPS: &str =
     "It chooses points of lamps, which are objects with an emission; here are none.";
 const MIRRORS: &str = "It speaks of rays that go on by mirrors, glass and metal; here are none.";
 const NEXT_EVENT: &str = "It speaks of lights that are asked; `next_event: off` asks none.";
-const REUSE: &str = "It speaks of light that goes from surface to surface; here is none.";
+const REUSE: &str = "It speaks of light that goes straight from one simply diffuse surface to \
+                     another; here is none.";
 const ROULETTE: &str = "It speaks of paths that are ended by chance; `roulette: off` ends none.";
 
 pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
@@ -47,9 +49,8 @@ pub(in crate::lint) fn look(shots: &[Shot], found: &mut Vec<Diagnostic>) {
                 let ends = path.roulette.value != Roulette::Off;
                 said(path.roulette_after.span, ends, "roulette_after", ROULETTE);
                 let caustics = mirrors && (lamps || suns(scene));
-                let indirect = materials().any(|material| material.value.scatters())
-                    && path.depth.most().is_none_or(|most| most > 1);
-                said(path.reuse.span, indirect || path.reuse.0 == 1, "reuse", REUSE);
+                let shared = Plan::of(shot.stage).requires(Feature::Reuse);
+                said(path.reuse.span, shared || path.reuse.0 == 1, "reuse", REUSE);
                 said(path.guide.span, caustics || path.guide.value == Guide::Off, "guide", GUIDE);
             }
             Integrator::Preview(_) => {}

@@ -83,9 +83,10 @@ impl Group {
     /// One more far surface, found from the near one of that lane, whose light others are to have as
     /// well, or not. All near ones have come before. Returns how many rays it takes to see them.
     ///
-    /// Where bodies overlap rays pass surfaces that hide light from others: then what was found may
-    /// not be seen, and is that sample's alone.
-    pub fn push_far(&mut self, world: &World, far: &Far, by: usize, is_shared: bool) -> u64 {
+    /// The near one that has found it is asked like all others: where bodies overlap rays pass surfaces
+    /// that hide light from others, and where gaps are no wider than rounding a shadow ray may end
+    /// elsewhere. What is not seen so is that sample's alone.
+    pub fn push_far(&mut self, far: &Far, by: usize, is_shared: bool) -> u64 {
         let (asked, first) = (self.asked.len(), self.densities.len());
         let (lanes, reaches) = (&mut self.lanes, far.point.sheet);
         find(far, lanes);
@@ -93,7 +94,7 @@ impl Group {
         for (lane, density) in self.densities[first..].iter_mut().enumerate() {
             if !is_shared || self.kinds[lane] != self.kinds[by] {
                 *density = 0.0;
-            } else if (lane != by || world.overlaps.is_some()) && *density > 0.0 {
+            } else if *density > 0.0 {
                 let (origin, direction) = (get(&lanes.origin, lane), get(&lanes.direction, lane));
                 let (t_max, leaves) = (lanes.t_max[lane], lanes.sites.point(lane).sheet);
                 self.rays.push(Ray { origin, direction, t_max, leaves, reaches });

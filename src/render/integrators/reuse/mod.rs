@@ -200,7 +200,7 @@ impl Reuse {
                 continue;
             }
             let is_shared = beyond[first..].iter().all(|light| light.is_finite());
-            carrier.shadow_rays += group.push_far(world, far, lane - 1, is_shared);
+            carrier.shadow_rays += group.push_far(far, lane - 1, is_shared);
         }
         group.look(world);
         for (nth, light) in beyond.chunks_exact(width).enumerate() {
