@@ -268,18 +268,23 @@ fn picture(setup: &str, integrator: &str, forced: bool) -> Prepared {
     prepared.expect("a scene without faults")
 }
 
-/// As their plan builds them, and with everything put in.
-static BLOCKS: LazyLock<[Prepared; 2]> =
-    LazyLock::new(|| [false, true].map(|forced| picture("blocks", "path", forced)));
+/// As their plan builds them, with everything put in, and where pixels share light.
+static BLOCKS: LazyLock<[Prepared; 3]> = LazyLock::new(|| {
+    [("path", false), ("path", true), ("path { reuse: 16 }", false)]
+        .map(|(integrator, forced)| picture("blocks", integrator, forced))
+});
+
+const WAYS: [&str; 3] = ["as planned", "everything put in", "sharing light"];
 
 /// By chance alone, and guided by photons.
 static BALLS: LazyLock<[Prepared; 2]> = LazyLock::new(|| {
     ["path", "path { guide: photons }"].map(|integrator| picture("spheres", integrator, false))
 });
 
-#[divan::bench(args = ["as planned", "everything put in"])]
+#[divan::bench(args = WAYS)]
 fn blocks(bencher: Bencher, how: &str) {
-    pass(bencher, &BLOCKS[usize::from(how != "as planned")]);
+    let way = WAYS.iter().position(|way| *way == how).unwrap_or(0);
+    pass(bencher, &BLOCKS[way]);
 }
 
 #[divan::bench(args = ["by chance", "guided"])]
