@@ -407,3 +407,30 @@ fn renders_of_one_file_are_told_to_be_so() {
     // One render with two hashes was changed.
     assert!(notes("a.exr", "c.exr").contains("of different scenes"), "{told}");
 }
+
+#[test]
+fn renders_of_one_light_and_one_seed_share_random_numbers() {
+    let folder = Folder::new();
+    let words = |render, hash, light_hash, seed| {
+        let all = [("scene", "w01.scn"), ("render", render), ("hash", hash)];
+        [&all[..], &[("light_hash", light_hash), ("seed", seed)]].concat()
+    };
+    folder.exr("most.exr", &ramp(1.1), &words("most", "aaaa", "1111", "0"));
+    folder.exr("reference.exr", &ramp(1.0), &words("reference", "bbbb", "1111", "0"));
+    folder.exr("brighter.exr", &ramp(1.0), &words("most", "cccc", "1111", "0"));
+    folder.exr("other_seed.exr", &ramp(1.0), &words("reference", "bbbb", "1111", "1"));
+    folder.exr("other_light.exr", &ramp(1.0), &words("reference", "bbbb", "2222", "0"));
+    let notes = |other| folder.json(&["most.exr", other])["notes"].to_string();
+    let shared = "they may share random numbers";
+    let told = notes("reference.exr");
+    assert!(told.contains("other renders of the same file"), "{told}");
+    assert!(told.contains("one seed, and differ in nothing that samples depend on"), "{told}");
+    assert!(told.contains(shared) && told.contains("with another --seed."), "{told}");
+    let told = notes("brighter.exr");
+    assert!(told.contains(shared) && !told.contains("different scenes"), "{told}");
+    for other in ["other_seed.exr", "other_light.exr"] {
+        let told = notes(other);
+        assert!(told.contains("other renders of the same file"), "{told}");
+        assert!(!told.contains(shared), "{told}");
+    }
+}

@@ -63,27 +63,35 @@ pub fn notes(comparison: &Comparison) -> Vec<String> {
             notes.push(format!("{a} and its reference are the same file."));
             continue;
         }
-        if both("scn:hash").is_some_and(|(x, y)| x != y) {
+        let equal = |key| both(key).map(|(x, y)| x == y);
+        // What samples depend on; where a file does not tell it, all that its scene is.
+        let same_light = equal("scn:light_hash").or(equal("scn:hash")) == Some(true);
+        let same_scene = equal("scn:hash") != Some(false);
+        if !same_scene {
             let same_file = both("scn:scene").filter(|(x, y)| x == y);
             let renders = both("scn:render").filter(|(x, y)| x != y);
-            notes.push(match same_file.zip(renders) {
-                Some(((file, _), (x, y))) => format!(
+            match same_file.zip(renders) {
+                Some(((file, _), (x, y))) => notes.push(format!(
                     "{a} and {b} are other renders of the same file, {}: {} and {}.",
                     harmless(file),
                     harmless(x),
                     harmless(y),
-                ),
-                None => format!(
+                )),
+                None if same_light => {}
+                None => notes.push(format!(
                     "{a} and {b} are of different scenes, or of one that was changed between them."
-                ),
-            });
-        } else if input.radiance == reference.radiance
-            && both("scn:seed").is_some_and(|(x, y)| x == y)
-        {
+                )),
+            }
+        }
+        let radiance = input.radiance == reference.radiance;
+        if radiance && same_light && equal("scn:seed") == Some(true) {
+            let what = match same_scene {
+                true => "are of one scene and one seed",
+                false => "have one seed, and differ in nothing that samples depend on",
+            };
             notes.push(format!(
-                "{a} and {b} are of one scene and one seed: they may share random numbers, and \
-                 then their noise is alike and the error shown too small. Render the reference \
-                 with another --seed."
+                "{a} and {b} {what}: they may share random numbers, and then their noise is alike \
+                 and the error shown too small. Render the reference with another --seed."
             ));
         }
         let count = |input: &Input| input.word("scn:samples").and_then(|n| n.parse::<u64>().ok());
