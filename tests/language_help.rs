@@ -413,3 +413,49 @@ fn examples_are_neither_wrong_nor_doubtful() {
     }
     assert!(shown >= 15, "{shown}");
 }
+
+/// What is told of a field of paths, as it stands alone in `path { … }`.
+fn of_path(field: &str) -> String {
+    only(&format!("render a {{ integrator: path {{ {field} }} }}"))
+}
+
+#[test]
+fn a_count_beside_its_bounds_tells_them() {
+    for field in ["reuse: -1", "reuse: 2.5"] {
+        let told = of_path(field);
+        assert!(told.contains("expected a whole number from 1 to 64"), "{field}\n{told}");
+    }
+    assert!(of_path("reuse: 0").contains("must be at least 1 and at most 64"));
+    let told = only("sampler: stratified { grid: 0.5 }");
+    assert!(told.contains("expected a whole number from 1 to 1024"), "{told}");
+}
+
+#[test]
+fn a_number_is_no_switch() {
+    for (field, wanted) in [
+        ("reuse: on", "`integrator.reuse` is a whole number from 1 to 64, and `on` is none"),
+        ("reuse: all", "`integrator.reuse` is a whole number from 1 to 64, and `all` is none"),
+        ("depth: off", "is a whole number from 0 to 1000000 or `unlimited`, and `off` is none"),
+        ("depth: \"a\"", "expected a whole number from 0 to 1000000 or `unlimited`"),
+    ] {
+        let told = of_path(field);
+        assert!(told.contains(wanted), "{field}\n{told}");
+        assert!(!told.contains("let "), "{field}\n{told}");
+    }
+    let told = only("film: { exposure: off }");
+    assert!(told.contains("is an exposure from -100 ev to 100 ev, and `off` is none"), "{told}");
+    let told =
+        only("object a: disk { center: (0, 0, 0), normal: y, radius: all, material: mirror }");
+    assert!(told.contains("is a length of more than 0 m, and `all` is none"), "{told}");
+    let told = only("film: { size: (on, 512) }");
+    assert!(told.contains("`film.size` is a whole number from 1 to"), "{told}");
+}
+
+#[test]
+fn what_is_off_or_one_word_is_turned_on_by_that_word() {
+    let told = of_path("guide: on");
+    assert!(told.contains("did you mean `photons`?"), "{told}");
+    // Of several words none is surer than the others.
+    let told = only("material a: diffuse { albedo: 0.5, emits: on }");
+    assert!(told.contains("its words: `both` and `front`"), "{told}");
+}

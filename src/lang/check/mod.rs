@@ -18,7 +18,6 @@ use super::eval::Evaluator;
 use super::value::{FieldValue, RecordValue, Value, ValueKind};
 use super::{defaults, limits};
 use crate::diag::{FileId, Span};
-use crate::math::units::Dimension;
 use crate::scene::schema::{self, Checked, Range, Type, Variants};
 use crate::scene::{At, FileName, elsewhere, examples};
 pub use quantities::{coordinates, direction, in_range, number, number_within, point};
@@ -110,11 +109,7 @@ impl<'a> Checker<'a> {
             Type::Number(dimension) => {
                 number_within(ev, value, *dimension, range, &what).map(Checked::Number)
             }
-            Type::Count => {
-                let n = count(ev, value, &what)?;
-                in_range(ev, value, n, range, Dimension::NONE, &what)?;
-                Some(Checked::Count(n as u64))
-            }
+            Type::Count => count(ev, value, range, &what).map(Checked::Count),
             Type::Switch => match &value.kind {
                 ValueKind::Word(word) if &*word.text == "on" => Some(Checked::Switch(true)),
                 ValueKind::Word(word) if &*word.text == "off" => Some(Checked::Switch(false)),
@@ -155,9 +150,7 @@ impl<'a> Checker<'a> {
                 ValueKind::Vector { components, .. } if components.len() == 2 => {
                     let mut size = [0; 2];
                     for (slot, component) in size.iter_mut().zip(components.iter()) {
-                        let n = count(ev, component, &what)?;
-                        in_range(ev, component, n, range, Dimension::NONE, &what)?;
-                        *slot = n as u64;
+                        *slot = count(ev, component, range, &what)?;
                     }
                     Some(Checked::Size(size))
                 }
@@ -201,15 +194,21 @@ impl<'a> Checker<'a> {
                     None
                 }
             },
-            Type::CountOr(words) => match &value.kind {
-                ValueKind::Word(_) => self.landed(value, &Type::Words(words), range, place),
-                ValueKind::Number { .. } => self.landed(value, &Type::Count, range, place),
-                _ => {
-                    let all = words.all.iter().map(|(word, _)| *word);
-                    mismatch(&listed(["a whole number"].into_iter().chain(all), "or"));
-                    None
+            Type::CountOr(words) => {
+                let all = words.all.iter().map(|(word, _)| *word);
+                let expected = format!("{} or {}", types::count_within(range), listed(all, "or"));
+                let told = || quantities::is_switch(ev, value, &what, || expected.clone());
+                let known = |word: &Word| words.all.iter().any(|(known, _)| *known == &*word.text);
+                match &value.kind {
+                    ValueKind::Word(word) if !known(word) && told() => None,
+                    ValueKind::Word(_) => self.landed(value, &Type::Words(words), range, place),
+                    ValueKind::Number { .. } => self.landed(value, &Type::Count, range, place),
+                    _ => {
+                        mismatch(&expected);
+                        None
+                    }
                 }
-            },
+            }
             Type::Paths(words) => paths::paths(ev, value, *words, &what),
             Type::OneOf(variants) => self.one_of(value, variants, place),
             Type::Record(record) => match &value.kind {

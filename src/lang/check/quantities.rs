@@ -11,8 +11,23 @@ use crate::lang::value::{Value, ValueKind, shown};
 use crate::math::units::Dimension;
 use crate::scene::schema::Range;
 
+/// Words that turn things on and off, which some write where a number says how much.
+const SWITCHES: [&str; 7] = ["all", "false", "no", "none", "off", "on", "yes"];
+
 /// Largest count that an f64 holds exactly.
 const COUNT_MAX: f64 = 9_007_199_254_740_992.0;
+
+/// Tells a word that turns something on or off where numbers belong, if it is one; `expected`:
+/// which numbers.
+pub fn is_switch(ev: &Evaluator, value: &Value, what: &str, expected: impl Fn() -> String) -> bool {
+    let ValueKind::Word(word) = &value.kind else { return false };
+    let is = SWITCHES.contains(&&*word.text);
+    if is {
+        let told = || types::no_switch(what, &expected(), &word.text, value.span);
+        ev.reports.tell_unknown_with(&word.text, value.span, told);
+    }
+    is
+}
 
 /// A number of a dimension, in base units.
 pub fn number(ev: &Evaluator, value: &Value, dimension: Dimension, what: &str) -> Option<f64> {
@@ -39,6 +54,10 @@ fn measured(
     (dimension, range): (Dimension, &Range),
     what: &str,
 ) -> Option<f64> {
+    let within = || types::number_within(&dimension.name(), range, &|x| shown(x, dimension, None));
+    if is_switch(ev, value, what, within) {
+        return None;
+    }
     let quantity = arithmetic::quantity(ev, value);
     match quantity.kind {
         ValueKind::Number { value: x, dimension: found, .. } if found == dimension => Some(x),
@@ -63,14 +82,18 @@ fn measured(
     }
 }
 
-/// A count.
-pub fn count(ev: &Evaluator, value: &Value, what: &str) -> Option<f64> {
-    let n = number(ev, value, Dimension::NONE, what)?;
-    if n.fract() != 0.0 || !(0.0..=COUNT_MAX).contains(&n) {
-        ev.reports.tell(types::not_whole(what, n, value.span));
+/// A count within bounds.
+pub fn count(ev: &Evaluator, value: &Value, range: &Range, what: &str) -> Option<u64> {
+    if is_switch(ev, value, what, || types::count_within(range)) {
         return None;
     }
-    Some(n)
+    let n = number(ev, value, Dimension::NONE, what)?;
+    if n.fract() != 0.0 || !(0.0..=COUNT_MAX).contains(&n) {
+        ev.reports.tell(types::not_whole(what, n, range, value.span));
+        return None;
+    }
+    in_range(ev, value, n, range, Dimension::NONE, what)?;
+    Some(n as u64)
 }
 
 /// Two plain numbers, or one for both.

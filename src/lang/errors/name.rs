@@ -367,6 +367,10 @@ pub fn unknown_variant(
 pub fn unknown_word(what: &str, found: &str, all: &[&str], span: Span) -> Diagnostic {
     let told = Diagnostic::error(Code::NAME_UNKNOWN_WORD, format!("{what} cannot be `{found}`"))
         .label(span, "none of its words");
+    let others: Vec<_> = all.iter().filter(|word| **word != "off").collect();
+    if let ("on" | "yes" | "true", [right], true) = (found, &others[..], all.len() > 1) {
+        return told.help(did_you_mean([**right])).mend(format!("write `{right}`"), span, **right);
+    }
     offer(told, found, span, all, "its words are")
 }
 

@@ -31,6 +31,16 @@ pub fn out_of_range(
     show: &dyn Fn(f64) -> String,
     span: Span,
 ) -> Diagnostic {
+    let bounds = bounds(range, show);
+    let headline = format!("{what} must be {bounds}, and is {found}");
+    let told = Diagnostic::error(Code::TYPE_OUT_OF_RANGE, headline)
+        .label(span, format!("must be {bounds}"));
+    let told = if range.why.is_empty() { told } else { told.why(range.why) };
+    if range.help.is_empty() { told } else { told.help(range.help) }
+}
+
+/// "at least 1 and at most 64"; nothing where there are no bounds.
+fn bounds(range: &Range, show: &dyn Fn(f64) -> String) -> String {
     let low = match range.low {
         Bound::None => None,
         Bound::Inclusive(low) => Some(format!("at least {}", show(low))),
@@ -42,12 +52,27 @@ pub fn out_of_range(
         Bound::Exclusive(high) => Some(format!("less than {}", show(high))),
     };
     let bounds: Vec<_> = low.into_iter().chain(high).collect();
-    let bounds = bounds.join(" and ");
-    let headline = format!("{what} must be {bounds}, and is {found}");
-    let told = Diagnostic::error(Code::TYPE_OUT_OF_RANGE, headline)
-        .label(span, format!("must be {bounds}"));
-    let told = if range.why.is_empty() { told } else { told.why(range.why) };
-    if range.help.is_empty() { told } else { told.help(range.help) }
+    bounds.join(" and ")
+}
+
+/// What may stand where a number does: "a length of more than 0 m", "a plain number from 0 to 1".
+pub fn number_within(name: &str, range: &Range, show: &dyn Fn(f64) -> String) -> String {
+    match (range.low, range.high, bounds(range, show)) {
+        (Bound::Inclusive(low), Bound::Inclusive(high), _) => {
+            format!("{name} from {} to {}", show(low), show(high))
+        }
+        (.., bounds) if bounds.is_empty() => name.to_string(),
+        (.., bounds) => format!("{name} of {bounds}"),
+    }
+}
+
+/// The same of a count: "a whole number from 1 to 64".
+pub fn count_within(range: &Range) -> String {
+    let low = match range.low {
+        Bound::None => Bound::Inclusive(0.0),
+        low => low,
+    };
+    number_within("a whole number", &Range { low, ..*range }, &digits)
 }
 
 /// A list where a vector belongs; `text`: as written.
@@ -95,6 +120,13 @@ pub fn encoded_range(components: [f64; 3], literal: bool, span: Span) -> Diagnos
     }
 }
 
+/// A word that turns things on and off where a number belongs; `expected`: which numbers may stand
+/// there.
+pub fn no_switch(what: &str, expected: &str, found: &str, span: Span) -> Diagnostic {
+    let headline = format!("{what} is {expected}, and `{found}` is none");
+    Diagnostic::error(Code::TYPE_MISMATCH, headline).label(span, format!("expected {expected}"))
+}
+
 /// Fields that must be given.
 pub fn missing_fields(
     owner: &str,
@@ -121,10 +153,10 @@ pub fn missing_fields(
 }
 
 /// A count that is none.
-pub fn not_whole(what: &str, found: f64, span: Span) -> Diagnostic {
+pub fn not_whole(what: &str, found: f64, range: &Range, span: Span) -> Diagnostic {
     let found = digits(found);
     Diagnostic::error(Code::TYPE_NOT_WHOLE, format!("{what} is a count, and `{found}` is none"))
-        .label(span, "a whole number belongs here, zero or more")
+        .label(span, format!("expected {}", count_within(range)))
 }
 
 /// Two or four coordinates. `difference`: one of them was computed.
