@@ -1,9 +1,10 @@
 //! `scn new`: a small scene to begin with.
 
-use std::path::{MAIN_SEPARATOR, Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, PathBuf};
 
 use super::log::shown;
 use super::options::New;
+use super::words::typed;
 use super::{End, terminal};
 use crate::diag::harmless_text;
 use crate::files;
@@ -40,33 +41,6 @@ pub fn run(options: &New) -> End {
         Err(failure) => {
             terminal::fail(&format!("the scene file `{shown}` {failure}"));
             End::NotDone
-        }
-    }
-}
-
-/// A name as it is typed at a shell: in quotes where it needs them.
-fn typed(path: &Path) -> String {
-    let name = path.display().to_string();
-    let plain = |c: char| c.is_alphanumeric() || "/._-+,:@%=".contains(c) || c == MAIN_SEPARATOR;
-    // What begins like an option would be taken for one.
-    let name = if name.starts_with('-') { format!("./{name}") } else { name };
-    if name.chars().all(plain) { name } else { format!("'{}'", name.replace('\'', "'\\''")) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_quoted_where_a_shell_needs_it() {
-        for (name, shown) in [
-            ("figures/scène-1.scn", "figures/scène-1.scn"),
-            ("my scene.scn", "'my scene.scn'"),
-            ("it's.scn", "'it'\\''s.scn'"),
-            ("$x.scn", "'$x.scn'"),
-            ("-x.scn", "./-x.scn"),
-        ] {
-            assert_eq!(typed(Path::new(name)), shown);
         }
     }
 }

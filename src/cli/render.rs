@@ -13,9 +13,9 @@ use super::options::{Form, Render};
 use super::output::Output;
 use super::replay::{self, Replay};
 use super::{End, bias, check, failed, scene_file, stop, terminal};
-use crate::cli::words::NAMES;
+use crate::cli::words::{NAMES, typed, typed_word};
 use crate::diag::words::few;
-use crate::diag::{self, Diagnostic, Level, Sources};
+use crate::diag::{self, Diagnostic, Level, Sources, harmless_line};
 use crate::files::hold::Held;
 use crate::files::whole::Folders;
 use crate::load::{Loader, Stage};
@@ -381,7 +381,11 @@ impl<'a> Session<'a> {
             terminal::tell(&diag::print::report(&severe, &self.sources, &subject, look));
         } else if !severe.is_empty() {
             let brief = diag::short::lines(&severe, &self.sources);
-            terminal::tell(&format!("{brief}`scn lint {subject}` tells more\n"));
+            let mut more = format!("scn lint {}", typed(&self.options.file));
+            for set in &self.options.set {
+                more.push_str(&format!(" --set {}", typed_word(set)));
+            }
+            terminal::tell(&format!("{brief}`{}` tells more\n", harmless_line(&more)));
         }
         if self.options.log == Form::Json {
             let report = diag::json::report(&new, &self.sources);

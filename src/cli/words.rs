@@ -1,5 +1,7 @@
 //! Numbers as people read them, and how many names.
 
+use std::path::{MAIN_SEPARATOR, Path};
+
 /// Names that a message lists at most.
 pub const NAMES: usize = 12;
 
@@ -35,6 +37,22 @@ pub fn rate(rays: u64, seconds: f64) -> String {
         .replace("  ", " ")
 }
 
+/// The name of a file as it is typed at a shell: in quotes where it needs them.
+pub fn typed(path: &Path) -> String {
+    let name = path.display().to_string();
+    // What begins like an option would be taken for one.
+    typed_word(&if name.starts_with('-') { format!("./{name}") } else { name })
+}
+
+/// The same of any argument.
+pub fn typed_word(word: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/._-+,:@%=".contains(c) || c == MAIN_SEPARATOR;
+    match !word.is_empty() && word.chars().all(plain) {
+        true => word.to_string(),
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    }
+}
+
 fn scaled(mut x: f64, units: &[&str]) -> String {
     let mut unit = 0;
     while x >= 999.5 && unit + 1 < units.len() {
@@ -51,6 +69,22 @@ fn scaled(mut x: f64, units: &[&str]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_are_quoted_where_a_shell_needs_it() {
+        for (name, shown) in [
+            ("figures/scène-1.scn", "figures/scène-1.scn"),
+            ("my scene.scn", "'my scene.scn'"),
+            ("it's.scn", "'it'\\''s.scn'"),
+            ("$x.scn", "'$x.scn'"),
+            ("-x.scn", "./-x.scn"),
+        ] {
+            assert_eq!(typed(Path::new(name)), shown);
+        }
+        assert_eq!(typed_word("film.exposure=1 ev"), "'film.exposure=1 ev'");
+        assert_eq!(typed_word("integrator.reuse=4"), "integrator.reuse=4");
+        assert_eq!(typed_word(""), "''");
+    }
 
     #[test]
     fn numbers_read_as_people_write_them() {

@@ -131,6 +131,19 @@ fn rendering_tells_of_warnings_in_a_line_each() {
 }
 
 #[test]
+fn more_is_told_of_the_scene_as_it_was_changed() {
+    let bench = Bench::new();
+    let set = ["--set", "material white.albedo=1.5"];
+    let changed = |command: &str| Run::new(bench.command(command).args(set).output().unwrap());
+    let run = changed("render ball.scn --only left --samples 1").well();
+    assert!(run.stderr.contains("warning[lint/albedo-above-one]"), "{}", run.stderr);
+    let more = "\n`scn lint ball.scn --set 'material white.albedo=1.5'` tells more\n";
+    assert!(run.stderr.contains(more), "{}", run.stderr);
+    let told = changed("lint ball.scn").well().stdout;
+    assert!(told.contains("warning[lint/albedo-above-one]"), "{told}");
+}
+
+#[test]
 fn every_rule_is_listed() {
     let bench = Bench::new();
     let list = bench.run("lint --list").well().stdout;
