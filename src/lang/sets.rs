@@ -6,7 +6,8 @@ use super::ast;
 use super::errors::sets as errors;
 use super::eval::{Evaluator, FileFacts};
 use super::{parse, words};
-use crate::diag::{FileId, Sources, Span};
+use crate::diag::{Diagnostic, FileId, Sources, Span};
+use crate::scene::KINDS;
 
 /// What the arguments say, as if each stood in the file `main` at `path`, whose bare coordinates
 /// are in `unit`; told where they say nothing.
@@ -31,6 +32,10 @@ pub fn read(
                 continue;
             }
         };
+        if let Some(fault) = several(text, id) {
+            ev.reports.tell(fault);
+            continue;
+        }
         // The form of an item.
         let mut item = text.clone();
         item.replace_range(equals..=equals, ":");
@@ -41,8 +46,42 @@ pub fn read(
     all
 }
 
+/// Tells of several paths, each with a value, where commas outside all brackets part them.
+fn several(text: &str, id: FileId) -> Option<Diagnostic> {
+    let open =
+        |before: &str| before.matches('"').count() % 2 == 1 || parse::innermost(before).is_some();
+    let commas = text.match_indices(',').map(|(at, _)| at).filter(|at| !open(&text[..*at]));
+    let commas: Vec<usize> = commas.collect();
+    let ends = commas.iter().copied().chain([text.len()]);
+    let begins = [0].into_iter().chain(commas.iter().map(|at| at + 1));
+    let parts: Option<Vec<_>> = begins.zip(ends).map(|(a, b)| parted(&text[a..b])).collect();
+    let parts = parts.filter(|parts| parts.len() > 1)?;
+    // What is no kind of item is a part of the thing that was changed before it.
+    let mut outer = "";
+    let said = parts.iter().map(|(path, value)| {
+        let alone = path.chars().all(|c| c.is_alphanumeric() || c == '_');
+        match alone && !outer.is_empty() && KINDS.iter().all(|kind| kind.word != *path) {
+            true => format!("{outer}.{path}={value}"),
+            false => {
+                outer = path.rsplit_once('.').map_or("", |(outer, _)| outer);
+                format!("{path}={value}")
+            }
+        }
+    });
+    Some(errors::several(&said.collect::<Vec<_>>(), Span::new(id, commas[0], commas[0] + 1)))
+}
+
+/// The path and the value of a text that has the form of both.
+fn parted(text: &str) -> Option<(&str, &str)> {
+    let (path, value) = text.split_once(['=', ':'])?;
+    let (path, value) = (path.trim(), value.trim());
+    let of_path = |c: char| c.is_alphanumeric() || "_.\" ".contains(c);
+    let is_path = path.starts_with(char::is_alphabetic) && path.chars().all(of_path);
+    (is_path && !value.is_empty()).then_some((path, value))
+}
+
 /// Where the path ends and the value begins.
-fn equals(text: &str, id: FileId) -> Result<usize, Box<crate::diag::Diagnostic>> {
+fn equals(text: &str, id: FileId) -> Result<usize, Box<Diagnostic>> {
     let span = |start: usize, end: usize| Span::new(id, start, end);
     let first = |sign: char| {
         let quoted = |at: usize| text[..at].matches('"').count() % 2 == 1;

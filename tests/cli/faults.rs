@@ -1,6 +1,6 @@
 //! What goes wrong: exit codes, words, and files left alone.
 
-use crate::bench::{BALL, Bench};
+use crate::bench::{BALL, Bench, Run};
 
 #[test]
 fn a_scene_file_that_cannot_be_read_is_no_scene() {
@@ -330,4 +330,24 @@ fn data_that_cannot_be_read_comes_with_what_to_do() {
     let told = run("data(\"missing.csv\")").stdout;
     let place = bench.path("missing.csv");
     assert!(told.contains(&format!("looked for at {}:", place.display())), "{told}");
+}
+
+#[test]
+fn one_set_says_one_thing() {
+    let bench = Bench::new();
+    for (said, right) in [
+        (
+            "integrator.light_samples=4, shadows=off",
+            "write `--set 'integrator.light_samples=4' --set 'integrator.shadows=off'`",
+        ),
+        (
+            "caption=\"a, b=c\", film.size=(3, 4), exposure=1 ev",
+            "write `--set 'caption=\"a, b=c\"' --set 'film.size=(3, 4)' --set 'film.exposure=1 ev'`",
+        ),
+        ("integrator.light_samples=4, 5", "expected an operator, or the end, found `,`"),
+    ] {
+        let run = bench.command("lint ball.scn --format json").args(["--set", said]).output();
+        let told = Run::new(run.unwrap()).ends(1).stdout.replace("\\\"", "\"");
+        assert!(told.contains(right), "{said}\n{told}");
+    }
 }

@@ -29,6 +29,18 @@ pub fn no_path(equals: Span) -> Diagnostic {
         .help(EXAMPLE)
 }
 
+/// Several changes in one, as each is said alone; `comma`: what parts the first two.
+pub fn several(said: &[String], comma: Span) -> Diagnostic {
+    let quoted = said.iter().map(|text| match text.contains('\'') {
+        true => format!("--set \"{text}\""),
+        false => format!("--set '{text}'"),
+    });
+    let right = quoted.collect::<Vec<_>>().join(" ");
+    Diagnostic::error(Code::SYNTAX_UNEXPECTED, "one `--set` says one thing, and this says more")
+        .label(comma, "what follows belongs into a `--set` of its own")
+        .help(format!("write `{right}`"))
+}
+
 /// What begins with a word that begins items of other forms.
 pub fn keyword(word: &str, span: Span) -> Diagnostic {
     let headline = format!("`--set` cannot say `{word}`");

@@ -137,6 +137,7 @@ fn tell(text: &str, at: usize, whole: Span, span: Span, in_record: bool) -> Diag
     let expected = match (bracket, after_word) {
         (Some('('), true) => "`,` or `)`",
         (Some('['), true) => "`,` or `]`",
+        (None, true) if found == "," && line.contains([':', '=']) => "an operator, or the end",
         (Some('{'), true) | (None, true) if line.contains([':', '=']) => {
             "a comma or a new line, or an operator"
         }

@@ -20,6 +20,7 @@ use super::scan::{Scanned, scan};
 use crate::diag::{Code, Diagnostic, FileId, Span};
 
 use build::Builder;
+pub use explain::innermost;
 
 #[derive(pest_derive::Parser)]
 #[grammar = "../grammar/scn.pest"]
