@@ -459,3 +459,20 @@ fn what_is_off_or_one_word_is_turned_on_by_that_word() {
     let told = only("material a: diffuse { albedo: 0.5, emits: on }");
     assert!(told.contains("its words: `both` and `front`"), "{told}");
 }
+
+#[test]
+fn the_parts_of_a_mixture_are_known_by_other_names() {
+    let text = "scn 1 in m\nintegrator: preview\n\
+         material m: mix { a: diffuse { albedo: 0.2 }, b: mirror, part: 0.4 }\n";
+    let (compiled, sources) = common::compile(text);
+    let told: Vec<_> =
+        compiled.diagnostics.iter().map(|told| common::show(told, &sources)).collect();
+    let offered = ["first: diffuse { albedo: 0.2 }", "second: mirror", "amount: 0.4"];
+    assert_eq!(told.len(), offered.len(), "{}", told.join("\n"));
+    for (told, offered) in told.iter().zip(offered) {
+        assert!(told.contains(&format!("help: write `{offered}`")), "{told}");
+    }
+    // Where one is stated already it is not what another word means.
+    let told = only("material a: diffuse { a: 0.5, albedo: 0.5 }");
+    assert!(!told.contains("first:"), "{told}");
+}

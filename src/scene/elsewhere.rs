@@ -188,6 +188,7 @@ const FIELDS: &[(&str, &str)] = &[
     ("origin", "center"),
     ("origin", "eye"),
     ("origin", "position"),
+    ("part", "amount"),
     ("path", "file"),
     ("pixelsamples", "samples"),
     ("pos", "center"),
@@ -252,6 +253,9 @@ const OTHERWISE: &[(&str, &[&str], &str)] = &[
     ),
 ];
 
+/// A variant, a word that is no field of it, though one of others, and the field it stands for there.
+const FIELDS_OF: &[(&str, &str, &str)] = &[("mix", "a", "first"), ("mix", "b", "second")];
+
 /// What a field may be called elsewhere whose value is twice that of one here.
 const HALVES: &[(&str, &str)] = &[("diameter", "radius")];
 
@@ -312,6 +316,17 @@ pub fn fields(word: &str) -> impl Iterator<Item = &'static str> + use<> {
     FIELDS.iter().filter(move |(known, _)| *known == word).map(|(_, meant)| *meant)
 }
 
+/// The field of a variant that a word stands for there alone.
+pub fn field_of(variant: &str, word: &str) -> Option<&'static str> {
+    let known = FIELDS_OF.iter().find(|(of, known, _)| *of == variant && *known == word);
+    known.map(|(.., meant)| *meant)
+}
+
+/// Whether it is known what a word stands for that is no field of a variant.
+pub fn is_known(variant: &str, word: &str) -> bool {
+    fields(word).next().is_some() || half(word).or(field_of(variant, word)).is_some()
+}
+
 /// What to begin with of a kind that each render must state.
 pub fn usual(kind: &str) -> Option<&'static str> {
     USUAL.iter().find(|(of, _)| *of == kind).map(|(_, usual)| *usual)
@@ -360,6 +375,12 @@ mod tests {
         }
         for (word, meant) in FIELDS {
             assert!(fields.contains(meant) && word != meant, "{word} → {meant}");
+        }
+        let records = choices.iter().flat_map(|variants| variants.all);
+        for (variant, word, meant) in FIELDS_OF {
+            let has = |record: &&Record, word| record.fields.iter().any(|it| it.word == word);
+            let of = records.clone().find(|record| record.word == *variant).expect(variant);
+            assert!(has(&of, *meant) && !has(&of, *word), "{variant}: {word} → {meant}");
         }
         for (word, meant) in HALVES.iter().copied().chain(UNLIKE.iter().map(|it| (it.0, it.1))) {
             assert!(fields.contains(&meant) && !fields.contains(&word), "{word} → {meant}");

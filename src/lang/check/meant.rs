@@ -105,6 +105,9 @@ pub fn instead_of(
     {
         return (vec![format!("{right}: {}", half(text))], stated(right));
     }
+    if let Some(right) = elsewhere::field_of(record.word, key) {
+        return (vec![format!("{right}: {text}")], stated(right));
+    }
     let mut all = match is_medium(field) {
         true => media(record).map(|field| format!("{}: {text}", field.word)).take(1).collect(),
         false => {

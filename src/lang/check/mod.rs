@@ -398,8 +398,7 @@ impl<'a> Checker<'a> {
         let said = meant::said(self.ev, field.value.span());
         let (meant, stated) = meant::instead_of(field, said.unwrap_or("…"), schema, found);
         // What a word stands for elsewhere is surer than what it looks like.
-        let sure =
-            elsewhere::fields(&key.text).next().is_some() || elsewhere::half(&key.text).is_some();
+        let sure = elsewhere::is_known(schema.word, &key.text);
         let place = Span { end: field.value.span().end, ..key.span };
         let place = Some(place).filter(|_| said.is_some() && !stated);
         self.ev.reports.tell(names::unknown_field(owner, key, &known, (&meant, place), sure));
