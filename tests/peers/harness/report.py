@@ -145,7 +145,7 @@ def plot(data, path):
     axes.grid(axis="y", alpha=0.3)
     axes.set_ylabel(f"seconds to a relMSE of {GOAL}")
     axes.set_xticks([tick for tick, _ in ticks], [title for _, title in ticks], fontsize=8)
-    axes.legend(fontsize=8, frameon=False)
+    axes.legend(fontsize=8, frameon=False, ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     axes.spines[["top", "right"]].set_visible(False)
     figure_.tight_layout()
     figure_.savefig(path, metadata={"Date": None})
